@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace fixrad::host {
+
+/// Bad input. what() is one complete line for the user: `file:line:column: error: what is wrong; what to do`
+/// (line and column are left out where the fault has none, a missing file for instance).
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A Lambertian material. Channels are red, green, blue.
+struct Material {
+  std::string name;
+  glm::dvec3 reflectance{0.0};  ///< MTL `Kd`, diffuse reflectance, in [0, 1) once read
+  glm::dvec3 emission{0.0};     ///< MTL `Ke`, emitted radiosity (exitance), W/m^2, >= 0
+};
+
+/// A polygon as the file gives it: any simple planar polygon, 3 corners or more, not necessarily convex.
+struct Face {
+  std::vector<std::uint32_t> corners;  ///< indices into Model::positions, counter-clockwise seen from the lit side
+  std::uint32_t material = 0;          ///< index into Model::materials
+  std::uint32_t smoothing_group = 0;   ///< OBJ `s`; 0 = off
+  int line = 0;                        ///< line of the `f` statement, for messages
+};
+
+/// What a scene file says, nothing derived. Faces stay in file order: face i is the i-th `f` of the file.
+struct Model {
+  std::string path;                   ///< the file, as the user named it
+  std::vector<glm::dvec3> positions;  ///< in the file's unit
+  std::vector<Face> faces;
+  std::vector<Material> materials;    ///< those that a face uses, in order of first use
+  std::vector<std::string> warnings;  ///< complete lines `file:line:column: warning: ...`, each said once
+};
+
+}  // namespace fixrad::host
