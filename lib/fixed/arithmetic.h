@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdint.h>
+
+#include "lib/fixed/q.h"
+
+namespace fixrad {
+
+/// Upper half of a 32 x 32 -> 64-bit product.
+inline uint32_t mul_high(uint32_t a, uint32_t b) {
+  return static_cast<uint32_t>((static_cast<uint64_t>(a) * b) >> 32);
+}
+
+/// |a| as an unsigned number, INT32_MIN included.
+inline uint32_t magnitude(int32_t a) {
+  return a < 0 ? 0u - static_cast<uint32_t>(a) : static_cast<uint32_t>(a);
+}
+
+/// Number of bits that `a` needs; 0 for 0.
+inline int bit_length(uint32_t a) {
+  int n = 0;
+  for (int step = 16; step > 0; step /= 2) {
+    if ((a >> step) != 0) {
+      a >>= step;
+      n += step;
+    }
+  }
+  return n + static_cast<int>(a);
+}
+
+/// Reflected part of all that was received: UQ0.32 x flux -> 64 bits -> truncated towards zero -> flux.
+/// Cannot overflow, since reflectance < 1; odd in `received`, so borrowed light is returned to the last unit.
+inline Flux reflect(Reflectance reflectance, Flux received) {
+  const uint32_t part = mul_high(reflectance.raw, magnitude(received.raw));
+  return Flux::from_raw(received.raw < 0 ? -static_cast<int32_t>(part) : static_cast<int32_t>(part));
+}
+
+/// floor(flux * sum / 2^16) for flux < 2^31 and sum <= 2^16, in two 32-bit products: the high half gives at
+/// most 2^15 * 2^16, the low half at most 65535 * 65536, which is why 2^16 itself is allowed.
+inline uint32_t flux_below(uint32_t flux, uint32_t sum) {
+  return (flux >> 16) * sum + (((flux & 0xffffu) * sum) >> 16);
+}
+
+/// a / 2^shift towards minus infinity. C++17 leaves >> of a negative number to the compiler; every compiler
+/// that the project is built with shifts arithmetically, which tests/lib asserts on each target.
+inline int32_t floor_shift(int32_t a, int shift) {
+  return a >> shift;
+}
+
+}  // namespace fixrad

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Radiosity in fixed point, one page:
+//
+//     static fixrad::Solver<fixrad::Limits<28, 20, 264, 97>> solver;   // all memory there is
+//
+//     fixrad::Status status = solver.load(scene);                      // checks everything or changes
+//     nothing while (status == fixrad::Status::ok) {
+//       status = solver.step();                                        // the brightest patch shoots
+//     }
+//     colour = solver.vertex_radiosity(map, v, channel);               // any time: the picture only gets
+//     better
+//
+// Integers only, no heap, no exceptions; the same bits on every processor.
+
+#include "lib/transport/gathering.h"
+#include "lib/transport/shooting.h"
+#include "lib/vertices/digest.h"
+#include "lib/vertices/vertex_radiosity.h"
+
+namespace fixrad {
+
+/// What a solver has room for, at compile time. Spans: a row needs at most one more than twice the faces, and
+/// two more for each pair of faces that pierce each other; `fixrad info` prints what a scene really uses.
+/// PixelResolution: R of the largest table that hemicube_pixels is to use; 0 leaves the item buffer out.
+template <uint16_t Vertices, uint16_t Faces, uint16_t Elements, uint16_t Patches,
+          uint16_t Spans = 2 * Faces + 1, uint8_t Channels = 3, uint16_t PixelResolution = 0>
+struct Limits {
+  static constexpr uint16_t vertices = Vertices, faces = Faces, elements = Elements, patches = Patches,
+                            spans = Spans;
+  static constexpr uint8_t channels = Channels;
+  static constexpr uint16_t pixel_resolution = PixelResolution;
+};
+
+/// The sizes in Limits as numbers, for sizing before there is a type.
+struct Sizes {
+  uint32_t vertices, faces, elements, patches, spans, channels, pixel_resolution;
+};
+
+/// Bytes of a solver's arrays; equal on every target. A further element costs 4 channels + 2 bytes.
+constexpr uint32_t pool_bytes(const Sizes& s) {
+  return s.vertices * static_cast<uint32_t>(sizeof(Direction)) +
+         s.faces * static_cast<uint32_t>(sizeof(FaceView)) + s.spans * static_cast<uint32_t>(sizeof(Span)) +
+         s.elements * (4 * s.channels + 2) + s.patches * (4 * s.channels + 1) +
+         s.pixel_resolution * s.pixel_resolution * static_cast<uint32_t>(sizeof(Item));
+}
+
+/// Bytes of everything else in a solver on a target with pointers of `pointer_bytes`, rounded up to whole
+/// words.
+constexpr uint32_t state_bytes(uint32_t pointer_bytes) {
+  return 21 * pointer_bytes + 112;
+}
+
+/// All the memory of a radiosity solution, in one object without pointers to anything but the caller's scene.
+/// Not to be copied or moved. Every member function is meant for one thread; step() may be called from a main
+/// loop.
+template <class L>
+class Solver {
+ public:
+  Solver() = default;
+  Solver(const Solver&) = delete;
+  Solver& operator=(const Solver&) = delete;
+
+  /// Checks `scene` and starts its solution; anything but ok leaves the solver as it was. The scene's tables
+  /// must outlive it.
+  [[nodiscard]] Status load(const Scene& scene, const Settings& settings = {}) {
+    const Status status = check_scene(scene, {L::vertices, L::faces, L::elements, L::patches, L::channels});
+    if (status == Status::ok) {
+      state_.work = {directions_, views_, spans_, items_, item_count, L::spans, 0, 0, 0};
+      state_.row = {share_, scene.element_count, 0, 0};
+      state_.received = received_;
+      state_.unshot = unshot_;
+      state_.centroid = centroid_;
+      reset(state_, scene, settings);
+    }
+    return status;
+  }
+
+  /// One shot; see shoot().
+  [[nodiscard]] Status step() { return shoot(state_); }
+
+  /// The solution at a vertex, see vertex_radiosity(); `with_ambient` adds the estimate of what is still
+  /// unshot.
+  Radiosity vertex_radiosity(const VertexMap& map, uint32_t vertex, int channel,
+                             bool with_ambient = false) const {
+    const Radiosity ambient = with_ambient ? ambient_radiosity(state_, channel) : Radiosity::from_raw(0);
+    return fixrad::vertex_radiosity(state_, map, vertex, channel, ambient);
+  }
+
+  State& state() { return state_; }
+  const State& state() const { return state_; }
+
+ private:
+  static constexpr uint32_t item_count = static_cast<uint32_t>(L::pixel_resolution) * L::pixel_resolution;
+
+  State state_;
+  int32_t received_[static_cast<uint32_t>(L::elements) * L::channels];
+  int32_t unshot_[static_cast<uint32_t>(L::patches) * L::channels];
+  FaceView views_[L::faces];
+  Direction directions_[L::vertices];
+  Span spans_[L::spans];
+  Item items_[item_count > 0 ? item_count : 1];
+  uint16_t share_[L::elements];
+  Centroid centroid_[L::patches];
+};
+
+}  // namespace fixrad

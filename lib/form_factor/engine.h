@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdint.h>
+
+#include "lib/form_factor/delta_table.h"
+#include "lib/form_factor/row.h"
+#include "lib/form_factor/view.h"
+#include "lib/scene/status.h"
+
+namespace fixrad {
+
+/// How one eye point is to be sampled.
+struct EyeSample {
+  EyePoint eye;
+  uint32_t begin, weight;  ///< the eye's part [begin, begin + weight) of kRowOne
+  bool back_faces;         ///< back faces block; without, the scene must be closed
+};
+
+/// An engine adds the form factors from one eye point to all elements to `row`, exactly `weight` in all.
+/// Statuses: ok, or span_pool_full (`row` is then to be thrown away).
+using Engine = Status (*)(const Scene& scene, const DeltaTable& table, const EyeSample& sample,
+                          Workspace& work, FormFactorRow& row);
+
+/// Hemicube rows: visibility between faces with sub-pixel ends, then each visible span split by its face's
+/// element grid. Cost: grows with what is seen, not with the number of elements.
+Status hemicube_rows(const Scene& scene, const DeltaTable& table, const EyeSample& sample, Workspace& work,
+                     FormFactorRow& row);
+
+/// The classical hemicube (Cohen & Greenberg 1985): each element's polygon is scan-converted into an item
+/// buffer of R x R pixels a side. The baseline. Needs item_capacity >= R * R.
+Status hemicube_pixels(const Scene& scene, const DeltaTable& table, const EyeSample& sample, Workspace& work,
+                       FormFactorRow& row);
+
+/// Fraction of the hemisphere, UQ1.16, in which the nearest face shows its back. More than half: the eye is
+/// buried in a body that stands on its face.
+Status back_share(const Scene& scene, const DeltaTable& table, const EyePoint& eye, Workspace& work,
+                  uint32_t& share);
+
+}  // namespace fixrad

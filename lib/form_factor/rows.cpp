@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "lib/form_factor/engine.h"
+#include "lib/form_factor/spans.h"
+#include "lib/form_factor/split.h"
+
+namespace fixrad {
+namespace {
+
+bool find_visible(const Scene& scene, const RowPosition& at, Workspace& work, VisibleSpans& visible) {
+  visible.reset();
+  for (uint16_t i = 0; i < work.view_count; ++i) {
+    FaceView& view = work.views[i];
+    if (at.row < view.first_row || at.row > view.last_row) {
+      continue;
+    }
+    const Interval part = face_interval(scene, at, work.directions, view);
+    if (part.begin < part.end && !visible.insert(i, part, at)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// From inside a closed scene every sample shows a face. Where rounding leaves a sliver uncovered (an eye
+// within a thousandth of the room from a wall), it belongs to a neighbour on the row.
+uint16_t covering_view(const VisibleSpans& visible, uint16_t i, uint16_t previous, bool is_closed,
+                       Workspace& work) {
+  const uint16_t view = visible[i].view;
+  if (view != kNothing || !is_closed) {
+    return view;
+  }
+  ++work.gaps_closed;
+  if (previous != kNothing) {
+    return previous;
+  }
+  const uint16_t next = visible[i].next;
+  return next == kNoSpan ? kNothing : visible[next].view;
+}
+
+void write_row(const Scene& scene, const RowPosition& at, const DeltaRow& delta, uint32_t base,
+               bool is_closed, const VisibleSpans& visible, Workspace& work, RowWriter& writer) {
+  uint16_t previous = kNothing;
+  for (uint16_t i = visible.first(); i != kNoSpan; i = visible[i].next) {
+    const Interval part = {visible[i].start, visible.end_of(i)};
+    const uint16_t index = covering_view(visible, i, previous, is_closed, work);
+    previous = index;
+    if (part.begin >= part.end) {
+      continue;
+    }
+    if (index == kNothing || work.views[index].is_back) {
+      writer.add(index == kNothing ? kEscapedSlot : kBackSlot, base + delta.sum_to(part.end));
+      continue;
+    }
+    for (ElementWalk walk(scene, work.views[index], at, part); walk.next();) {
+      writer.add(walk.element(), base + delta.sum_to(walk.end()));
+    }
+  }
+}
+
+}  // namespace
+
+Status hemicube_rows(const Scene& scene, const DeltaTable& table, const EyeSample& sample, Workspace& work,
+                     FormFactorRow& row) {
+  make_view(scene, sample.eye, sample.back_faces, work);
+  VisibleSpans visible(work);
+  RowWriter writer(row, sample.begin, sample.weight);
+  const int size = 1 << table.resolution_log2;
+  uint32_t base = 0;
+  for (int side = 0; side < kSides; ++side) {
+    enter_side(scene, side, table.resolution_log2, work);
+    for (int r = side == kTop ? 0 : size / 2; r < size; ++r) {
+      const RowPosition at = {static_cast<uint8_t>(side), static_cast<uint8_t>(r), table.resolution_log2};
+      if (!find_visible(scene, at, work, visible)) {
+        return Status::span_pool_full;
+      }
+      const DeltaRow delta = delta_row(table, side == kTop, r);
+      write_row(scene, at, delta, base, !sample.back_faces, visible, work, writer);
+      base += 2 * delta.half_total;
+    }
+  }
+  return Status::ok;
+}
+
+Status back_share(const Scene& scene, const DeltaTable& table, const EyePoint& eye, Workspace& work,
+                  uint32_t& share) {
+  // A probe wants only what is seen from behind: elements are irrelevant, so the row has none but one bin for
+  // all.
+  make_view(scene, eye, true, work);
+  VisibleSpans visible(work);
+  const int size = 1 << table.resolution_log2;
+  uint32_t back = 0;
+  for (int side = 0; side < kSides; ++side) {
+    enter_side(scene, side, table.resolution_log2, work);
+    for (int r = side == kTop ? 0 : size / 2; r < size; ++r) {
+      const RowPosition at = {static_cast<uint8_t>(side), static_cast<uint8_t>(r), table.resolution_log2};
+      if (!find_visible(scene, at, work, visible)) {
+        return Status::span_pool_full;
+      }
+      const DeltaRow delta = delta_row(table, side == kTop, r);
+      for (uint16_t i = visible.first(); i != kNoSpan; i = visible[i].next) {
+        if (visible[i].view != kNothing && work.views[visible[i].view].is_back) {
+          back += delta.sum_to(visible.end_of(i)) - delta.sum_to(visible[i].start);
+        }
+      }
+    }
+  }
+  share = back >> (kDeltaSumLog2 - 16);
+  return Status::ok;
+}
+
+}  // namespace fixrad

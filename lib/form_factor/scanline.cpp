@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "lib/form_factor/scanline.h"
+
+#include "lib/form_factor/delta_table.h"
+
+namespace fixrad {
+namespace {
+
+// e = below x above with components cut to 20 bits: base + y step stays below 2^28 at R = 128, and the
+// dividend of a crossing below 2^32.
+constexpr int kEdgeBits = 20;
+
+Vec3 side_direction(const Direction& d, int side) {
+  return to_side({d.x, d.y, d.z}, side);
+}
+
+// Half-spaces through the eye that a hemicube side lies outside of; a face is invisible if all its corners
+// are in one.
+int outcode(Vec3 v, int side) {
+  int code = v.z <= 0 ? 1 : 0;
+  code |= v.x > v.z ? 2 : 0;
+  code |= v.x < -v.z ? 4 : 0;
+  code |= v.y > v.z ? 8 : 0;
+  code |= (side == kTop ? v.y < -v.z : v.y <= 0) ? 16 : 0;
+  return code;
+}
+
+int32_t floor_divide(int32_t a, int32_t b) {
+  const int32_t q = a / b;
+  return a % b != 0 && a < 0 ? q - 1 : q;
+}
+
+int32_t clamp(int32_t a, int32_t low, int32_t high) {
+  return a < low ? low : (a > high ? high : a);
+}
+
+// A vertex with z > 0 is above row r while 2 r + 1 - R <= R y / z, which gives the rows exactly. A face that
+// reaches behind the eye may cross any row.
+void find_rows(const Scene& scene, int side, int resolution_log2, const Direction* directions,
+               FaceView& view) {
+  const Face face = flash_read(scene.faces, view.face);
+  const int32_t r = static_cast<int32_t>(1) << resolution_log2;
+  const int32_t bottom = side == kTop ? 0 : r / 2;
+  int32_t lowest = r, highest = -r - 1;
+  int outside = 31;
+  bool is_in_front = true;
+  for (int k = 0; k < face.corner_count; ++k) {
+    const Vec3 v = side_direction(directions[corner_vertex(scene, face, k)], side);
+    outside &= outcode(v, side);
+    is_in_front = is_in_front && v.z > 0;
+    if (is_in_front) {
+      const int32_t height = clamp(floor_divide(v.y * r, v.z), -r - 1, r);
+      lowest = height < lowest ? height : lowest;
+      highest = height > highest ? height : highest;
+    }
+  }
+  int32_t first = bottom;
+  int32_t last = r - 1;
+  if (is_in_front) {
+    first = clamp(floor_divide(lowest + r - 1, 2) + 1, bottom, r);
+    last = clamp(floor_divide(highest + r - 1, 2), -1, r - 1);
+  }
+  const bool is_visible = outside == 0 && first <= last;
+  view.first_row = static_cast<uint8_t>(is_visible ? first : 1);
+  view.last_row = static_cast<uint8_t>(is_visible ? last : 0);
+}
+
+void start_edge(EdgeCursor& cursor, int resolution_log2, Vec3 below, Vec3 above) {
+  Vec3 e = cross(below, above);
+  const int excess = bit_length(max_magnitude(e)) - kEdgeBits;
+  if (excess > 0) {
+    e = scale_down(e, excess);
+  }
+  cursor.base = e.z * (static_cast<int32_t>(1) << resolution_log2);
+  cursor.step = e.y;
+  cursor.reach = -e.x;
+}
+
+// x where an edge in front of the eye (reach > 0) crosses the row.
+int32_t crossing(const EdgeCursor& cursor, const RowPosition& at) {
+  const int32_t half_width = cursor.reach * (static_cast<int32_t>(1) << at.resolution_log2);
+  const int32_t from_left = half_width + cursor.base + at.y() * cursor.step;
+  if (from_left <= 0) {
+    return 0;
+  }
+  if (from_left >= 2 * half_width) {
+    return kRowEnd;
+  }
+  const int shift = kRowLog2 - 1 - at.resolution_log2;
+  return static_cast<int32_t>((static_cast<uint32_t>(from_left) << shift) /
+                              static_cast<uint32_t>(cursor.reach));
+}
+
+// Ends of the covered part while the corners are walked; an end behind the eye leaves the row at its own
+// border.
+struct Ends {
+  int32_t left, right;
+  bool left_behind, right_behind;
+};
+
+void meet_edge(const RowPosition& at, bool is_left, uint8_t edge, Vec3 below, Vec3 above, FaceView& view,
+               Ends& ends) {
+  EdgeCursor& cursor = is_left ? view.left : view.right;
+  uint8_t& held = is_left ? view.left_edge : view.right_edge;
+  if (held != edge) {
+    start_edge(cursor, at.resolution_log2, below, above);
+    held = edge;
+  }
+  if (cursor.reach <= 0) {
+    (is_left ? ends.left_behind : ends.right_behind) = true;
+    return;
+  }
+  const int32_t x = crossing(cursor, at);
+  if (is_left) {
+    ends.left = x < ends.left ? x : ends.left;
+  } else {
+    ends.right = x > ends.right ? x : ends.right;
+  }
+}
+
+}  // namespace
+
+Vec3 to_side(Vec3 v, int side) {
+  switch (side) {
+    case kTop:
+      return v;
+    case 1:
+      return {v.y, v.z, v.x};
+    case 2:
+      return {-v.x, v.z, v.y};
+    case 3:
+      return {-v.y, v.z, -v.x};
+    default:
+      return {v.x, v.z, -v.y};
+  }
+}
+
+Vec3 RowPosition::direction(int32_t x) const {
+  return {x - kRowMiddle, y() * (static_cast<int32_t>(1) << (kRowLog2 - 1 - resolution_log2)), kRowMiddle};
+}
+
+void enter_side(const Scene& scene, int side, int resolution_log2, Workspace& work) {
+  for (uint16_t i = 0; i < work.view_count; ++i) {
+    FaceView& view = work.views[i];
+    view.left_edge = kNoEdge;
+    view.right_edge = kNoEdge;
+    find_rows(scene, side, resolution_log2, work.directions, view);
+  }
+}
+
+// Seen from the eye with z away from it, a front face runs clockwise in (x, y): its rising edges are on the
+// left.
+Interval face_interval(const Scene& scene, const RowPosition& at, const Direction* directions,
+                       FaceView& view) {
+  const Face face = flash_read(scene.faces, view.face);
+  const int32_t r = static_cast<int32_t>(1) << at.resolution_log2;
+  const int32_t y = at.y();
+  Ends ends = {kRowEnd, 0, false, false};
+  int from = face.corner_count - 1;
+  Vec3 a = side_direction(directions[corner_vertex(scene, face, from)], at.side);
+  bool a_above = r * a.y >= y * a.z;
+  for (int k = 0; k < face.corner_count; ++k) {
+    const Vec3 b = side_direction(directions[corner_vertex(scene, face, k)], at.side);
+    const bool b_above = r * b.y >= y * b.z;
+    if (a_above != b_above) {
+      const bool is_left = b_above != view.is_back;
+      const uint8_t edge = static_cast<uint8_t>(from);
+      meet_edge(at, is_left, edge, b_above ? a : b, b_above ? b : a, view, ends);
+    }
+    a = b;
+    a_above = b_above;
+    from = k;
+  }
+  if (ends.left_behind && ends.right_behind) {
+    return {0, 0};
+  }
+  return {ends.left_behind ? 0 : ends.left, ends.right_behind ? kRowEnd : ends.right};
+}
+
+}  // namespace fixrad

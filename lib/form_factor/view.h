@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdint.h>
+
+#include "lib/form_factor/eye.h"
+#include "lib/scene/scene.h"
+
+namespace fixrad {
+
+/// A vertex as a direction from the eye in the hemicube's frame, scaled by its own power of two: Q0 in
+/// [-2^14, 2^14].
+struct Direction {
+  int16_t x, y, z;
+};
+
+/// Where one edge of a face crosses the rows of a hemicube side: x/z = (base + y * step) / (R * reach), in
+/// front of the eye if reach > 0. Kept from row to row.
+struct EdgeCursor {
+  int32_t base, step, reach;
+};
+
+constexpr uint8_t kNoEdge = 0xff;
+
+/// A face as the current eye sees it; 80 bytes. Vectors are in the hemicube's frame.
+struct FaceView {
+  Vec3 grid_u, grid_v,
+      grid_n;              ///< u = (grid_u . d) / (grid_n . d) is the cell coordinate in direction d; < 2^18
+  int32_t depth_distance;  ///< distance of the plane, Q14 quarters of a grid unit, > 0
+  EdgeCursor left, right;
+  int16_t depth_normal[3];  ///< Q14; 1/depth in direction d is (depth_normal . d) / depth_distance
+  uint16_t face;
+  uint8_t left_edge, right_edge;  ///< edge that the cursor holds, or kNoEdge
+  uint8_t first_row, last_row;    ///< rows of the current side that it crosses; first > last: none
+  bool is_back;                   ///< its back is seen: it blocks and is black
+};
+
+/// One visible interval of a row: from start to the start of the next one.
+struct Span {
+  uint16_t start;  ///< 0..kRowEnd
+  uint16_t view;   ///< index into views, or kNothing
+  uint16_t next;   ///< index into the pool, or kNoSpan
+};
+
+constexpr uint16_t kNothing = 0xffff;
+constexpr uint16_t kNoSpan = 0xffff;
+
+/// One pixel of the item buffer.
+struct Item {
+  uint16_t slot;  ///< element, kBackSlot or kEscapedSlot
+  uint16_t view;
+};
+
+/// Working memory of the form-factor engines; the arrays belong to the solver's storage.
+struct Workspace {
+  Direction* directions;  ///< [vertex_count]
+  FaceView* views;        ///< [face_count]
+  Span* spans;            ///< [span_capacity]
+  Item* items;            ///< [item_capacity], `pixels` only
+  uint32_t item_capacity;
+  uint16_t span_capacity;
+  uint16_t view_count;
+  uint16_t span_high_water;  ///< most spans that any row has needed
+  uint32_t gaps_closed;      ///< uncovered intervals of closed scenes that were given to a neighbour
+};
+
+/// Prepares the view from `eye`: directions to all vertices, planes and grids of all faces that can be seen
+/// or, where `back_faces` asks for it, block. Cost: 9 products a vertex, about 60 a face.
+void make_view(const Scene& scene, const EyePoint& eye, bool back_faces, Workspace& work);
+
+}  // namespace fixrad

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "lib/transport/gathering.h"
+
+#include "lib/transport/sampling.h"
+#include "lib/transport/shooting.h"
+
+namespace fixrad {
+namespace {
+
+struct Light {
+  Reflectance reflectance;
+  Flux emitted;
+};
+
+Light light_of(const Scene& scene, uint16_t e, int c) {
+  const Element element = flash_read(scene.elements, e);
+  const Material material = flash_read(scene.materials, flash_read(scene.faces, element.face).material);
+  return {Reflectance::from_raw(material.reflectance[c]), emitted_flux(scene, material, element.area, c)};
+}
+
+Flux gather(const State& state, const FormFactorMatrix& matrix, uint16_t j, int c) {
+  const uint32_t n = state.scene.element_count;
+  const uint32_t channels = state.scene.channels;
+  uint64_t sum = 0;
+  for (uint32_t i = 0; i < n; ++i) {
+    const uint32_t exitent = static_cast<uint32_t>(matrix.exitent[i * channels + static_cast<uint32_t>(c)]);
+    sum += static_cast<uint64_t>(exitent) * matrix.share[i * n + j];
+  }
+  return Flux::from_raw(static_cast<int32_t>(sum >> 16));
+}
+
+}  // namespace
+
+Status sample_matrix_row(State& state, FormFactorMatrix& matrix, uint16_t e) {
+  const Scene& scene = state.scene;
+  bool emits = false;
+  for (int c = 0; c < scene.channels; ++c) {
+    const Light light = light_of(scene, e, c);
+    matrix.exitent[static_cast<uint32_t>(e) * scene.channels + static_cast<uint32_t>(c)] = light.emitted.raw;
+    emits = emits || light.emitted.raw > 0;
+  }
+  Centroid centroid = Centroid::unknown;
+  const Status status = sample_source(state, element_source(scene, e), emits ? 9 : 1, centroid);
+  if (status != Status::ok) {
+    return status;
+  }
+  uint16_t* row = matrix.share + static_cast<uint32_t>(e) * scene.element_count;
+  for (uint16_t j = 0; j < scene.element_count; ++j) {
+    row[j] = state.row.share[j];
+  }
+  matrix.back[e] = static_cast<uint16_t>(state.row.back < 0xffff ? state.row.back : 0xffff);
+  return Status::ok;
+}
+
+bool gather_sweep(State& state, FormFactorMatrix& matrix) {
+  const Scene& scene = state.scene;
+  bool done = true;
+  ++state.shots;
+  for (int c = 0; c < scene.channels; ++c) {
+    uint64_t change = 0;
+    for (uint16_t j = 0; j < scene.element_count; ++j) {
+      const Light light = light_of(scene, j, c);
+      int32_t& exitent = matrix.exitent[static_cast<uint32_t>(j) * scene.channels + static_cast<uint32_t>(c)];
+      const Flux renewed = light.emitted + reflect(light.reflectance, gather(state, matrix, j, c));
+      change += magnitude(renewed.raw - exitent);
+      exitent = renewed.raw;
+    }
+    const uint64_t limit =
+        (static_cast<uint64_t>(state.settings.stop.raw) * static_cast<uint32_t>(state.emitted[c])) >> 32;
+    done = done && change <= limit;
+  }
+  return done;
+}
+
+void book_gathering(State& state, const FormFactorMatrix& matrix) {
+  const Scene& scene = state.scene;
+  const uint32_t channels = scene.channels;
+  for (uint32_t i = 0; i < scene.element_count * channels; ++i) {
+    state.received[i] = 0;
+  }
+  for (uint32_t i = 0; i < scene.patch_count * channels; ++i) {
+    state.unshot[i] = 0;
+  }
+  for (uint32_t c = 0; c < channels; ++c) {
+    state.escaped[c] = state.back[c] = 0;
+    for (uint32_t i = 0; i < scene.element_count; ++i) {
+      const Flux amount = Flux::from_raw(matrix.exitent[i * channels + c]);
+      uint32_t sum = 0;
+      for (uint32_t j = 0; j < scene.element_count; ++j) {
+        const uint32_t next = sum + matrix.share[i * scene.element_count + j];
+        state.received[j * channels + c] += share_of(amount, sum, next).raw;
+        sum = next;
+      }
+      state.back[c] += share_of(amount, sum, sum + matrix.back[i]).raw;
+      state.escaped[c] += share_of(amount, sum + matrix.back[i], kRowOne).raw;
+    }
+    for (uint16_t j = 0; j < scene.element_count; ++j) {
+      const Light light = light_of(scene, j, static_cast<int>(c));
+      const Flux reflected = reflect(light.reflectance, Flux::from_raw(state.received[j * channels + c]));
+      const uint32_t p = flash_read(scene.elements, j).patch;
+      state.unshot[p * channels + c] += light.emitted.raw + reflected.raw - matrix.exitent[j * channels + c];
+    }
+  }
+}
+
+}  // namespace fixrad

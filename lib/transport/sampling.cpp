@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "lib/transport/sampling.h"
+
+namespace fixrad {
+namespace {
+
+constexpr uint32_t kBuriedShare = kRowOne / 2;
+
+// The flux an element has to send, cut to 20 bits so that 64 eyes of nine-fold weight stay below 2^30; at
+// least 1, so that an element that has received nothing yet still has an eye.
+uint32_t weight_of(const State& state, uint16_t element) {
+  uint64_t sum = 0;
+  for (int c = 0; c < state.scene.channels; ++c) {
+    sum += static_cast<uint64_t>(exitent_flux(state, element, c).raw);
+  }
+  return static_cast<uint32_t>(sum >> 13) + 1;  // three fluxes below 2^31
+}
+
+EyePoint eye_at(State& state, Vec3 position, uint16_t face) {
+  const EyePoint eye = {position, face, state.turn};
+  state.turn = static_cast<uint8_t>((state.turn + 1) % kTurns);
+  return eye;
+}
+
+Status look(State& state, const EyeSample& sample) {
+  const Settings& settings = state.settings;
+  const Status status = settings.engine(state.scene, *settings.table, sample, state.work, state.row);
+  if (status == Status::ok) {
+    ++state.eyes;
+    if (settings.observer.on_eye != nullptr) {
+      settings.observer.on_eye(settings.observer.context, sample);
+    }
+  }
+  return status;
+}
+
+Status is_buried(State& state, const EyePoint& eye, bool& buried) {
+  uint32_t share = 0;
+  const Status status = back_share(state.scene, *state.settings.probe, eye, state.work, share);
+  buried = share > kBuriedShare;
+  state.withdrawn += buried ? 1u : 0u;
+  return status;
+}
+
+void withdraw(State& state) {
+  clear(state.row);
+  const Observer& observer = state.settings.observer;
+  if (observer.on_withdraw != nullptr) {
+    observer.on_withdraw(observer.context);
+  }
+}
+
+// One eye at the centroid. In a closed scene back faces are left out of the view, so a probe has to ask
+// first; in an open one the row itself tells.
+Status sample_centroid(State& state, const EyeSource& source, Centroid& centroid) {
+  const EyeSample sample = {eye_at(state, vec(source.centre), source.face), 0, kRowOne, !state.is_closed};
+  if (state.is_closed && centroid == Centroid::unknown) {
+    bool buried = false;
+    const Status status = is_buried(state, sample.eye, buried);
+    if (status != Status::ok) {
+      return status;
+    }
+    centroid = buried ? Centroid::buried : Centroid::clear;
+    if (buried) {
+      return Status::ok;
+    }
+  }
+  const Status status = look(state, sample);
+  if (status == Status::ok && centroid == Centroid::unknown) {
+    centroid = state.row.back > kBuriedShare ? Centroid::buried : Centroid::clear;
+    if (centroid == Centroid::buried) {
+      ++state.withdrawn;
+      withdraw(state);
+    }
+  }
+  return status;
+}
+
+class EyeSet {
+ public:
+  EyeSet(State& state, const EyeSource& source, int level)
+      : state_(state), source_(source), level_(level), count_(candidate_count(source, level)) {}
+
+  // Probes every candidate; `total` is the weight of those that are clear.
+  Status choose() {
+    for (uint16_t i = 0; i < count_; ++i) {
+      const EyeCandidate candidate = eye_candidate(state_.scene, source_, level_, i);
+      if (candidate.weight == 0) {
+        continue;
+      }
+      bool buried = false;
+      const Status status = is_buried(state_, {candidate.position, source_.face, 0}, buried);
+      if (status != Status::ok) {
+        return status;
+      }
+      if (!buried) {
+        chosen_[i / 32] |= static_cast<uint32_t>(1) << (i % 32);
+        total_ += weight_of(state_, candidate.element) * candidate.weight;
+      }
+    }
+    return Status::ok;
+  }
+
+  uint32_t total() const { return total_; }
+
+  // Eye i owns the part of kRowOne between its running weights, rounded down.
+  Status sample() {
+    uint32_t running = 0;
+    for (uint16_t i = 0; i < count_; ++i) {
+      if ((chosen_[i / 32] >> (i % 32) & 1u) == 0) {
+        continue;
+      }
+      const EyeCandidate candidate = eye_candidate(state_.scene, source_, level_, i);
+      const uint32_t begin = part(running);
+      running += weight_of(state_, candidate.element) * candidate.weight;
+      const uint32_t weight = part(running) - begin;
+      const EyePoint eye = eye_at(state_, candidate.position, source_.face);
+      const Status status = weight == 0 ? Status::ok : look(state_, {eye, begin, weight, !state_.is_closed});
+      if (status != Status::ok) {
+        return status;
+      }
+    }
+    return Status::ok;
+  }
+
+ private:
+  uint32_t part(uint32_t running) const {
+    return static_cast<uint32_t>((static_cast<uint64_t>(running) << 16) / total_);
+  }
+
+  State& state_;
+  const EyeSource& source_;
+  int level_;
+  uint16_t count_;
+  uint32_t chosen_[kMaxEyes / 32] = {0, 0};
+  uint32_t total_ = 0;
+};
+
+}  // namespace
+
+Status sample_source(State& state, const EyeSource& source, uint32_t wanted, Centroid& centroid) {
+  clear(state.row);
+  int level = level_for(source, wanted);
+  if (level == 0) {
+    if (centroid != Centroid::buried) {
+      const Status status = sample_centroid(state, source, centroid);
+      if (status != Status::ok || centroid == Centroid::clear) {
+        return status;
+      }
+    }
+    level = source.count > 1 ? 1 : 2;
+  }
+  for (; level <= kFinestLevel && candidate_count(source, level) <= kMaxEyes; ++level) {
+    EyeSet eyes(state, source, level);
+    const Status status = eyes.choose();
+    if (status != Status::ok) {
+      return status;
+    }
+    if (eyes.total() > 0) {
+      return eyes.sample();
+    }
+  }
+  // All buried: what little arrived here leaves from the centroid.
+  return look(state, {eye_at(state, vec(source.centre), source.face), 0, kRowOne, !state.is_closed});
+}
+
+}  // namespace fixrad

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "lib/transport/shooting.h"
+
+#include "lib/transport/sampling.h"
+
+namespace fixrad {
+namespace {
+
+// Overshooting ends while this many times the wanted unshot fraction is left; plain shooting, which only ever
+// lowers the sum of unshot flux, finishes.
+constexpr uint64_t kOvershootUntil = 8;
+
+int32_t* unshot_of(State& state, uint16_t patch) {
+  return state.unshot + static_cast<uint32_t>(patch) * state.scene.channels;
+}
+
+struct Scan {
+  uint16_t brightest;
+  uint64_t brightest_flux;        // sum over channels
+  uint64_t unshot[kMaxChannels];  // sum of magnitudes
+};
+
+Scan scan_patches(const State& state) {
+  Scan scan = {0, 0, {0, 0, 0}};
+  const int32_t* unshot = state.unshot;
+  for (uint16_t p = 0; p < state.scene.patch_count; ++p) {
+    uint64_t flux = 0;
+    for (int c = 0; c < state.scene.channels; ++c) {
+      const uint32_t m = magnitude(*unshot++);
+      scan.unshot[c] += m;
+      flux += m;
+    }
+    if (flux > scan.brightest_flux) {
+      scan.brightest_flux = flux;
+      scan.brightest = p;
+    }
+  }
+  return scan;
+}
+
+uint64_t part_of_emitted(const State& state, Fraction part, int c) {
+  return (static_cast<uint64_t>(part.raw) * static_cast<uint32_t>(state.emitted[c])) >> 32;
+}
+
+bool is_converged(const State& state, const Scan& scan, uint64_t factor) {
+  for (int c = 0; c < state.scene.channels; ++c) {
+    if (scan.unshot[c] > factor * part_of_emitted(state, state.settings.stop, c)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+uint32_t wanted_eyes(const State& state, const Scan& scan) {
+  uint64_t an_eye = 0;
+  for (int c = 0; c < state.scene.channels; ++c) {
+    an_eye += part_of_emitted(state, state.settings.flux_per_eye, c);
+  }
+  const uint64_t wanted = an_eye == 0 ? kMaxEyes : (scan.brightest_flux + an_eye - 1) / an_eye;
+  return static_cast<uint32_t>(wanted < kMaxEyes ? wanted : kMaxEyes);
+}
+
+// What the patch will still receive if the ambient estimate is right, but never more than its own unshot
+// flux: larger loans were seen to diverge.
+int32_t loan(const State& state, uint16_t patch, int c, int32_t unshot) {
+  const Scene& scene = state.scene;
+  const Patch p = flash_read(scene.patches, patch);
+  uint64_t area = 0;
+  for (unsigned i = 0; i < p.element_count; ++i) {
+    const uint16_t e = flash_read(scene.patch_elements, p.first_element + i);
+    area += flash_read(scene.elements, e).area;
+  }
+  const Material material = flash_read(scene.materials, flash_read(scene.faces, p.face).material);
+  const uint64_t radiosity = mul_high(material.reflectance[c], ambient_radiosity(state, c).raw);
+  const uint64_t flux = (radiosity * area) >> scene.radiosity_shift;
+  return flux < static_cast<uint64_t>(unshot) ? static_cast<int32_t>(flux) : unshot;
+}
+
+void receive(State& state, uint16_t e, const Element& element, const Material& material, int c, Flux share) {
+  const unsigned channels = state.scene.channels;
+  int32_t& received = state.received[static_cast<uint32_t>(e) * channels + static_cast<unsigned>(c)];
+  const Reflectance reflectance = Reflectance::from_raw(material.reflectance[c]);
+  const Flux before = reflect(reflectance, Flux::from_raw(received));
+  received += share.raw;
+  const Flux after = reflect(reflectance, Flux::from_raw(received));
+  state.unshot[element.patch * channels + static_cast<unsigned>(c)] += (after - before).raw;
+}
+
+void distribute(State& state, const Flux* amount) {
+  const Scene& scene = state.scene;
+  uint32_t sum = 0;
+  for (uint16_t e = 0; e < scene.element_count; ++e) {
+    const uint32_t next = sum + state.row.share[e];
+    if (next == sum) {
+      continue;
+    }
+    const Element element = flash_read(scene.elements, e);
+    const Material material = flash_read(scene.materials, flash_read(scene.faces, element.face).material);
+    for (int c = 0; c < scene.channels; ++c) {
+      receive(state, e, element, material, c, share_of(amount[c], sum, next));
+    }
+    sum = next;
+  }
+  for (int c = 0; c < scene.channels; ++c) {
+    const uint32_t escaped_end = sum + state.row.escaped;
+    state.escaped[c] += share_of(amount[c], sum, escaped_end).raw;
+    state.back[c] += share_of(amount[c], escaped_end, kRowOne).raw;
+  }
+}
+
+}  // namespace
+
+Flux share_of(Flux amount, uint32_t sum_before, uint32_t sum_after) {
+  const uint32_t m = magnitude(amount.raw);
+  const int32_t part = static_cast<int32_t>(flux_below(m, sum_after) - flux_below(m, sum_before));
+  return Flux::from_raw(amount.raw < 0 ? -part : part);
+}
+
+Fraction unshot_fraction(const State& state) {
+  uint64_t worst = 0;
+  for (int c = 0; c < state.scene.channels; ++c) {
+    const uint64_t emitted = static_cast<uint32_t>(state.emitted[c]);
+    const uint64_t part = emitted == 0 ? 0 : (unshot_magnitude(state, c) << 32) / emitted;
+    worst = part > worst ? part : worst;
+  }
+  return Fraction::from_raw(worst > 0xffffffffu ? 0xffffffffu : static_cast<uint32_t>(worst));
+}
+
+Status shoot(State& state) {
+  const Scan scan = scan_patches(state);
+  if (is_converged(state, scan, 1)) {
+    return Status::converged;
+  }
+  const EyeSource source = patch_source(state.scene, scan.brightest);
+  const Status status =
+      sample_source(state, source, wanted_eyes(state, scan), state.centroid[scan.brightest]);
+  if (status != Status::ok) {
+    return status;
+  }
+  const bool overshoots = state.settings.overshoot && !is_converged(state, scan, kOvershootUntil);
+  Flux amount[kMaxChannels] = {};
+  int32_t* unshot = unshot_of(state, scan.brightest);
+  for (int c = 0; c < state.scene.channels; ++c) {
+    amount[c].raw = unshot[c];
+    if (overshoots && unshot[c] > 0) {
+      amount[c].raw += loan(state, scan.brightest, c, unshot[c]);
+    }
+  }
+  const Observer& observer = state.settings.observer;
+  if (observer.on_shot != nullptr) {
+    observer.on_shot(observer.context, scan.brightest, amount, overshoots);
+  }
+  for (int c = 0; c < state.scene.channels; ++c) {
+    unshot[c] -= amount[c].raw;
+  }
+  distribute(state, amount);
+  ++state.shots;
+  return Status::ok;
+}
+
+}  // namespace fixrad

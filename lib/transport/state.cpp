@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "lib/transport/state.h"
+
+namespace fixrad {
+namespace {
+
+Material material_of(const Scene& scene, const Element& element) {
+  return flash_read(scene.materials, flash_read(scene.faces, element.face).material);
+}
+
+uint32_t saturate(uint64_t a) {
+  return a > 0xffffffffu ? 0xffffffffu : static_cast<uint32_t>(a);
+}
+
+}  // namespace
+
+void reset(State& state, const Scene& scene, const Settings& settings) {
+  state.scene = scene;
+  state.settings = settings;
+  state.row.count = scene.element_count;
+  state.work.span_high_water = 0;
+  state.work.gaps_closed = 0;
+  state.shots = state.eyes = state.withdrawn = 0;
+  state.turn = 0;
+  state.is_closed = is_closed(scene);
+  const unsigned channels = scene.channels;
+  for (unsigned i = 0; i < scene.patch_count; ++i) {
+    state.centroid[i] = Centroid::unknown;
+  }
+  for (uint32_t i = 0; i < static_cast<uint32_t>(scene.patch_count) * channels; ++i) {
+    state.unshot[i] = 0;
+  }
+  for (uint32_t i = 0; i < static_cast<uint32_t>(scene.element_count) * channels; ++i) {
+    state.received[i] = 0;
+  }
+  for (unsigned c = 0; c < channels; ++c) {
+    state.emitted[c] = state.escaped[c] = state.back[c] = 0;
+    for (uint16_t e = 0; e < scene.element_count; ++e) {
+      const Element element = flash_read(scene.elements, e);
+      const Flux flux = emitted_flux(scene, material_of(scene, element), element.area, static_cast<int>(c));
+      state.unshot[element.patch * channels + c] += flux.raw;
+      state.emitted[c] += flux.raw;
+    }
+  }
+}
+
+Ledger ledger(const State& state, int c) {
+  const Scene& scene = state.scene;
+  Ledger sum = {state.emitted[c], 0, 0, state.escaped[c], state.back[c]};
+  for (uint16_t e = 0; e < scene.element_count; ++e) {
+    const Material material = material_of(scene, flash_read(scene.elements, e));
+    const Flux received =
+        Flux::from_raw(state.received[static_cast<uint32_t>(e) * scene.channels + static_cast<unsigned>(c)]);
+    sum.absorbed += received.raw - reflect(Reflectance::from_raw(material.reflectance[c]), received).raw;
+  }
+  for (uint16_t p = 0; p < scene.patch_count; ++p) {
+    sum.unshot += state.unshot[static_cast<uint32_t>(p) * scene.channels + static_cast<unsigned>(c)];
+  }
+  return sum;
+}
+
+uint64_t unshot_magnitude(const State& state, int c) {
+  uint64_t sum = 0;
+  for (uint16_t p = 0; p < state.scene.patch_count; ++p) {
+    sum +=
+        magnitude(state.unshot[static_cast<uint32_t>(p) * state.scene.channels + static_cast<unsigned>(c)]);
+  }
+  return sum;
+}
+
+Flux exitent_flux(const State& state, uint16_t e, int c) {
+  const Element element = flash_read(state.scene.elements, e);
+  const Material material = material_of(state.scene, element);
+  const Flux received = Flux::from_raw(
+      state.received[static_cast<uint32_t>(e) * state.scene.channels + static_cast<unsigned>(c)]);
+  const Flux flux = emitted_flux(state.scene, material, element.area, c) +
+                    reflect(Reflectance::from_raw(material.reflectance[c]), received);
+  return flux.raw < 0 ? Flux::from_raw(0) : flux;
+}
+
+Radiosity ambient_radiosity(const State& state, int c) {
+  const Scene& scene = state.scene;
+  int64_t unshot = 0;
+  uint64_t area = 0;
+  uint64_t absorbing_area = 0;
+  for (uint16_t p = 0; p < scene.patch_count; ++p) {
+    unshot += state.unshot[static_cast<uint32_t>(p) * scene.channels + static_cast<unsigned>(c)];
+  }
+  for (uint16_t e = 0; e < scene.element_count; ++e) {
+    const Element element = flash_read(scene.elements, e);
+    area += element.area;
+    absorbing_area += element.area - mul_high(material_of(scene, element).reflectance[c], element.area);
+  }
+  if (unshot <= 0 || absorbing_area == 0) {
+    return Radiosity::from_raw(0);
+  }
+  // (unshot / area) / (1 - mean reflectance) = unshot / absorbing area.
+  int shift = scene.radiosity_shift;
+  while (shift > 0 && (absorbing_area & 1) == 0) {
+    absorbing_area >>= 1;
+    --shift;
+  }
+  return Radiosity::from_raw(saturate((static_cast<uint64_t>(unshot) << shift) / absorbing_area));
+}
+
+Radiosity element_radiosity(const State& state, uint16_t e, int c, Radiosity ambient) {
+  const Element element = flash_read(state.scene.elements, e);
+  const uint64_t flux = static_cast<uint64_t>(exitent_flux(state, e, c).raw);
+  const uint64_t own = (flux << state.scene.radiosity_shift) / element.area;
+  const uint32_t reflectance = material_of(state.scene, element).reflectance[c];
+  return Radiosity::from_raw(saturate(own + mul_high(reflectance, ambient.raw)));
+}
+
+}  // namespace fixrad

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdint.h>
+
+#include "lib/elements/eye_points.h"
+#include "lib/form_factor/engine.h"
+#include "lib/scene/load.h"
+
+namespace fixrad {
+
+/// Fractions of the emitted flux: UQ0.32.
+using Fraction = Q<uint32_t, 32>;
+
+/// The fraction n/d, rounded down; n < d.
+constexpr Fraction fraction(uint32_t n, uint32_t d) {
+  return Fraction::from_raw(static_cast<uint32_t>((static_cast<uint64_t>(n) << 32) / d));
+}
+
+/// Sees what the solver does; for the host's twin, progress and tests. Both functions may be null.
+struct Observer {
+  void* context;
+  /// An eye point of the coming shot has been sampled.
+  void (*on_eye)(void* context, const EyeSample& sample);
+  /// Patch `patch` is about to send amount[c], one a channel; `overshoots` if that is more than its unshot
+  /// flux.
+  void (*on_shot)(void* context, uint16_t patch, const Flux* amount, bool overshoots);
+  /// The eyes sampled since the last shot are withdrawn.
+  void (*on_withdraw)(void* context);
+};
+
+struct Settings {
+  Engine engine = hemicube_rows;
+  const DeltaTable* table = &kDelta16;
+  const DeltaTable* probe = &kDelta8;  ///< for the question whether an eye is buried
+  Fraction stop = fraction(1, 1000);   ///< done when the sum of unshot flux is at most this, in every channel
+  Fraction flux_per_eye =
+      fraction(1, 100);    ///< a shot gets one eye point for each such part of the emitted flux
+  bool overshoot = false;  ///< also shoot what the ambient estimate promises (Feda & Purgathofer 1992)
+  Observer observer = {nullptr, nullptr, nullptr, nullptr};
+};
+
+/// What a patch's centroid was found to be.
+enum class Centroid : uint8_t { unknown, clear, buried };
+
+/// Everything a solver knows. The arrays belong to the storage.
+struct State {
+  Scene scene;
+  Settings settings;
+  Workspace work;
+  FormFactorRow row;
+  int32_t* received;   ///< [element][channel], flux received in all
+  int32_t* unshot;     ///< [patch][channel]
+  Centroid* centroid;  ///< [patch]
+  int32_t emitted[kMaxChannels];
+  int32_t escaped[kMaxChannels];
+  int32_t back[kMaxChannels];
+  uint32_t shots;
+  uint32_t eyes;
+  uint32_t withdrawn;  ///< eye points thrown away because they were buried
+  uint8_t turn;        ///< next angle of the fixed sequence
+  bool is_closed;
+};
+
+/// Puts `scene` into `state`: nothing received, every emitter's flux unshot. The caller has checked the
+/// scene.
+void reset(State& state, const Scene& scene, const Settings& settings);
+
+/// The ledger, in flux units: emitted = absorbed + unshot + escaped + back, exactly, after every shot.
+struct Ledger {
+  int64_t emitted, absorbed, unshot, escaped, back;
+
+  int64_t imbalance() const { return emitted - absorbed - unshot - escaped - back; }
+};
+
+/// Adds up channel `c` from what elements and patches hold. Cost: linear.
+Ledger ledger(const State& state, int c);
+
+/// Sum of |unshot| over the patches, channel `c`.
+uint64_t unshot_magnitude(const State& state, int c);
+
+/// Flux that element `e` has emitted and reflected in all, channel `c`; never negative.
+Flux exitent_flux(const State& state, uint16_t e, int c);
+
+/// Ambient radiosity of what is still unshot, channel `c`, in flux a 2^-shift area unit with shift =
+/// Scene::radiosity_shift (Cohen et al. 1988, "A Progressive Refinement Approach", equations 9-12): mean
+/// unshot radiosity over 1 - mean reflectance. An estimate for display: it never enters the ledger.
+Radiosity ambient_radiosity(const State& state, int c);
+
+/// Radiosity of element `e`, channel `c`: (emitted + reflected) / area, plus reflectance x `ambient`.
+/// Saturates.
+Radiosity element_radiosity(const State& state, uint16_t e, int c, Radiosity ambient);
+
+}  // namespace fixrad
