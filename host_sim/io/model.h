@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <stdexcept>
@@ -36,6 +37,7 @@ struct Model {
   std::string path;                   ///< the file, as the user named it
   std::vector<glm::dvec3> positions;  ///< in the file's unit
   std::vector<Face> faces;
+  std::size_t file_faces = 0;         ///< how many are the file's own; reversed twins follow them
   std::vector<Material> materials;    ///< those that a face uses, in order of first use
   std::vector<std::string> warnings;  ///< complete lines `file:line:column: warning: ...`, each said once
 };

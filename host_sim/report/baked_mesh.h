@@ -17,15 +17,16 @@ struct BakedElement {
   glm::dvec3 centroid{0.0};
   double area = 0.0;
   glm::dvec3 radiosity{0.0};  ///< W/m^2, unit of MTL Ke, linear, always three channels
+  bool lamp = false;          ///< its material emits; lamps do not drive the automatic exposure
 };
 
 /// A solution as a renderer wants it: a triangle mesh with vertex radiosity. Vertices are not shared across
 /// creases or materials, so a normal is unique.
 struct BakedMesh {
-  std::string name;                       ///< scene name without folder and suffix
-  std::vector<glm::dvec3> positions;      ///< scene unit
-  std::vector<glm::dvec3> normals;        ///< unit, towards the lit side
-  std::vector<glm::dvec3> radiosity;      ///< a vertex, W/m^2, linear, finite, >= 0
+  std::string name;                                     ///< scene name without folder and suffix
+  std::vector<glm::dvec3> positions;                    ///< scene unit
+  std::vector<glm::dvec3> normals;                      ///< unit, towards the lit side
+  std::vector<glm::dvec3> radiosity;                    ///< a vertex, W/m^2, linear, finite, >= 0
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise seen from the lit side
   std::vector<BakedElement> elements;
 };

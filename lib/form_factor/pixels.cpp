@@ -60,20 +60,6 @@ void draw_side(const Scene& scene, int side, uint8_t resolution_log2, Workspace&
   }
 }
 
-// See covering_view in rows.cpp: an uncovered pixel of a closed scene belongs to a neighbour on its row.
-void close_gaps(Item* items, int size, Workspace& work) {
-  for (int pixel = 0; pixel < size; ++pixel) {
-    if (items[pixel].slot == kEscapedSlot) {
-      ++work.gaps_closed;
-      int next = pixel + 1;
-      while (next < size && items[next].slot == kEscapedSlot) {
-        ++next;
-      }
-      items[pixel] = pixel > 0 ? items[pixel - 1] : (next < size ? items[next] : items[pixel]);
-    }
-  }
-}
-
 }  // namespace
 
 Status hemicube_pixels(const Scene& scene, const DeltaTable& table, const EyeSample& sample, Workspace& work,
@@ -85,10 +71,7 @@ Status hemicube_pixels(const Scene& scene, const DeltaTable& table, const EyeSam
   for (int side = 0; side < kSides; ++side) {
     draw_side(scene, side, table.resolution_log2, work);
     for (int r = side == kTop ? 0 : size / 2; r < size; ++r) {
-      Item* items = work.items + (static_cast<uint32_t>(r) << table.resolution_log2);
-      if (!sample.back_faces) {
-        close_gaps(items, size, work);
-      }
+      const Item* items = work.items + (static_cast<uint32_t>(r) << table.resolution_log2);
       const DeltaRow delta = delta_row(table, side == kTop, r);
       for (int pixel = 0; pixel < size; ++pixel) {
         const int32_t end = (pixel + 1) << (kRowLog2 - table.resolution_log2);

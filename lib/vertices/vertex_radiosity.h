@@ -7,13 +7,13 @@
 
 namespace fixrad {
 
-constexpr uint16_t kNoVertex = 0xffff;
+constexpr uint32_t kNoVertex = 0xffffffff;
 
 /// A vertex of the displayed mesh: the elements that meet there, all of one smooth surface. A vertex at the
 /// border of its surface also names the interior vertex on the other side of its elements.
 struct MeshVertex {
   uint32_t first;  ///< into VertexMap::elements
-  uint16_t inner;  ///< an interior vertex, or kNoVertex
+  uint32_t inner;  ///< an interior vertex, or kNoVertex
   uint8_t count;   ///< 1..255
 };
 

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "host_sim/io/material_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fixrad::host {
+namespace {
+
+constexpr double kDefaultReflectance = 0.5;
+constexpr double kMaxEmission = 1e30;  // its square and its sum over a scene stay finite
+constexpr std::size_t kMaxNamesListed = 8;
+
+bool emits(const glm::dvec3& emission) {
+  return emission.x > 0.0 || emission.y > 0.0 || emission.z > 0.0;
+}
+
+void refuse_unsupported(const MtlMaterial& definition, const MtlColor& color) {
+  if (!color.unsupported.empty()) {
+    definition.source->fail(color.unsupported, "'" + std::string(color.unsupported) +
+                                                   "' colours are not supported; give red green blue");
+  }
+}
+
+/// "the material 'name' has Kd 'token'"
+std::string describe(const MtlMaterial& definition, const char* keyword, std::string_view token) {
+  return "the material " + quote(definition.name) + " has " + keyword + " " + quote(token);
+}
+
+}  // namespace
+
+std::uint32_t MaterialTable::use(const std::string& name, const SourceText& source, std::string_view token) {
+  const auto known = by_name_.find(name);
+  if (known != by_name_.end()) {
+    return known->second;
+  }
+  if (name.empty()) {
+    warnings_.say_once("no material", source, token,
+                       "faces without a usemtl get a default material, Kd 0.5 and no emission");
+    materials_.push_back({"(default)", glm::dvec3(kDefaultReflectance), glm::dvec3(0.0)});
+  } else {
+    const MtlMaterial* definition = library_.find(name);
+    if (definition == nullptr) {
+      refuse_unknown(name, source, token);
+    }
+    materials_.push_back(check(*definition));
+  }
+  const auto index = static_cast<std::uint32_t>(materials_.size() - 1);
+  by_name_.emplace(name, index);
+  return index;
+}
+
+Material MaterialTable::check(const MtlMaterial& definition) {
+  Material material;
+  material.name = definition.name;
+  material.reflectance = check_reflectance(definition);
+  material.emission = check_emission(definition);
+  if (!definition.reflectance.given && !emits(material.emission)) {
+    warnings_.say_once("no Kd", *definition.source, definition.statement,
+                       "the material " + quote(definition.name) + " has no Kd and is taken as black");
+  }
+  warn_about_textures(definition);
+  return material;
+}
+
+glm::dvec3 MaterialTable::check_reflectance(const MtlMaterial& definition) {
+  const MtlColor& color = definition.reflectance;
+  refuse_unsupported(definition, color);
+  glm::dvec3 reflectance = color.value;
+  for (int channel = 0; channel < 3; ++channel) {
+    const std::string_view token = color.tokens[static_cast<std::size_t>(channel)];
+    double& value = reflectance[channel];
+    if (!std::isfinite(value)) {
+      definition.source->fail(token,
+                              describe(definition, "Kd", token) + ", no finite number; give 0 to below 1");
+    }
+    if (value < 0.0) {
+      definition.source->fail(token, describe(definition, "Kd", token) + ", below 0; give 0 to below 1");
+    }
+    if (max_reflectance_ && value > *max_reflectance_) {
+      warnings_.say_once("clamped Kd", *definition.source, token,
+                         "Kd is clamped to the maximum reflectance, here and wherever it is larger");
+      value = *max_reflectance_;
+    }
+    if (value >= 1.0) {
+      definition.source->fail(token,
+                              describe(definition, "Kd", token) +
+                                  ", but a surface reflects less than it receives (Kd < 1); lower it or "
+                                  "clamp it with --max-reflectance 0.95");
+    }
+  }
+  return reflectance;
+}
+
+glm::dvec3 MaterialTable::check_emission(const MtlMaterial& definition) {
+  const MtlColor& color = definition.emission;
+  refuse_unsupported(definition, color);
+  for (int channel = 0; channel < 3; ++channel) {
+    const std::string_view token = color.tokens[static_cast<std::size_t>(channel)];
+    const double value = color.value[channel];
+    if (!std::isfinite(value)) {
+      definition.source->fail(token,
+                              describe(definition, "Ke", token) + ", no finite number; give 0 or more");
+    }
+    if (value < 0.0) {
+      definition.source->fail(token, describe(definition, "Ke", token) + ", below 0; give 0 or more");
+    }
+    if (value > kMaxEmission) {
+      definition.source->fail(token, describe(definition, "Ke", token) + ", above 1e30; use a larger unit");
+    }
+  }
+  return color.value;
+}
+
+void MaterialTable::warn_about_textures(const MtlMaterial& definition) {
+  if (!definition.map_kd.empty()) {
+    warnings_.say_once("map_Kd", *definition.source, definition.map_kd,
+                       "textures (map_Kd) are not used; Kd alone is the reflectance");
+  }
+  if (!definition.map_ke.empty()) {
+    warnings_.say_once("map_Ke", *definition.source, definition.map_ke,
+                       "textures (map_Ke) are not used; Ke alone is the emission");
+  }
+}
+
+void MaterialTable::refuse_unknown(const std::string& name, const SourceText& source,
+                                   std::string_view token) const {
+  std::string message = "no MTL file defines the material " + quote(name) + "; ";
+  const std::vector<MtlMaterial>& available = library_.materials();
+  if (!library_.has_files()) {
+    source.fail(token, message + "add an mtllib statement that names the scene's .mtl file");
+  }
+  if (available.empty()) {
+    source.fail(token, message + "add it, the MTL files define none");
+  }
+  message += "add it or use one of ";
+  const std::size_t listed = std::min(available.size(), kMaxNamesListed);
+  for (std::size_t i = 0; i < listed; ++i) {
+    message += (i == 0 ? "" : ", ") + quote(available[i].name);
+  }
+  source.fail(token, message + (listed < available.size() ? ", ..." : ""));
+}
+
+void MaterialTable::require_lamp(const std::string& path) const {
+  const auto is_lamp = [](const Material& material) { return emits(material.emission); };
+  if (std::any_of(materials_.begin(), materials_.end(), is_lamp)) {
+    return;
+  }
+  for (const MtlMaterial& definition : library_.materials()) {
+    if (emits(definition.emission.value)) {
+      throw InputError(path + ": error: nothing emits light: no face uses the material " +
+                       quote(definition.name) +
+                       ", the one with a Ke; use it or give another material a Ke above 0");
+    }
+  }
+  throw InputError(path + ": error: nothing emits light; give a material that faces use a Ke above 0");
+}
+
+}  // namespace fixrad::host

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "host_sim/report/picture.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <stdexcept>
+
+#include "host_sim/report/automatic_camera.h"
+#include "host_sim/report/mesh_check.h"
+#include "host_sim/report/rasterizer.h"
+#include "host_sim/report/tone.h"
+
+namespace fixrad::host {
+namespace {
+
+constexpr int kSamplesPerSide = 4;
+constexpr int kLargestSide = 16384;
+/// Picture rows that are drawn at a time, which bounds the memory for samples.
+constexpr int kBandRows = 16;
+/// Linear display value of the background: dark and neutral, yet not the black of an unlit surface.
+constexpr double kBackground = 0.012;
+/// The near plane, as a part of the diagonal of the mesh's box.
+constexpr double kNearShare = 1e-5;
+
+double near_distance(const BakedMesh& mesh) {
+  glm::dvec3 low(std::numeric_limits<double>::max());
+  glm::dvec3 high(std::numeric_limits<double>::lowest());
+  for (const glm::dvec3& p : mesh.positions) {
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  }
+  return std::max(kNearShare * glm::length(high - low), std::numeric_limits<double>::min());
+}
+
+/// Mean of the tone-mapped samples of the pixel (x, y), y counted within the band.
+glm::dvec3 average(const SampleBand& band, int x, int y, double scale) {
+  glm::dvec3 sum(0.0);
+  for (int row = 0; row < kSamplesPerSide; ++row) {
+    for (int column = 0; column < kSamplesPerSide; ++column) {
+      const auto line = static_cast<std::size_t>(y * kSamplesPerSide + row);
+      const std::size_t at = line * static_cast<std::size_t>(band.width) +
+                             static_cast<std::size_t>(x * kSamplesPerSide + column);
+      sum += band.inverse_distance[at] > 0.0 ? tone(band.radiosity[at] * scale) : glm::dvec3(kBackground);
+    }
+  }
+  return sum / static_cast<double>(kSamplesPerSide * kSamplesPerSide);
+}
+
+void resolve(const SampleBand& band, double scale, Image& image) {
+  for (int y = 0; y < band.rows / kSamplesPerSide; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const Srgb8 colour = srgb8(average(band, x, y, scale));
+      image.rgb.insert(image.rgb.end(), colour.begin(), colour.end());
+    }
+  }
+}
+
+}  // namespace
+
+Image render_picture(const BakedMesh& mesh, const Display& display, const PictureOptions& options) {
+  check_mesh(mesh);
+  const auto in_range = [](int side) { return side >= 1 && side <= kLargestSide; };
+  if (!in_range(options.width) || !in_range(options.height)) {
+    throw std::invalid_argument("picture: width and height must be 1 to 16384 pixels");
+  }
+  const double aspect = static_cast<double>(options.width) / options.height;
+  const Camera camera = options.camera ? *options.camera : automatic_camera(mesh, display.z_up, aspect);
+  const Projection projection(camera, display.z_up, options.width * kSamplesPerSide,
+                              options.height * kSamplesPerSide);
+  const std::vector<ScreenTriangle> triangles = visible_triangles(mesh, projection, near_distance(mesh));
+  const double scale = exposure_scale(mesh, display);
+  Image image{options.width, options.height, {}};
+  SampleBand band;
+  for (int y = 0; y < options.height; y += kBandRows) {
+    const int rows = std::min(kBandRows, options.height - y);
+    band.clear(options.width * kSamplesPerSide, y * kSamplesPerSide, rows * kSamplesPerSide);
+    for (const ScreenTriangle& triangle : triangles) {
+      draw(triangle, band);
+    }
+    resolve(band, scale, image);
+  }
+  return image;
+}
+
+}  // namespace fixrad::host

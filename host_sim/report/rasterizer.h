@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Triangles to samples: clipping, culling, depth buffer, perspective-correct interpolation.
+#pragma once
+
+#include <array>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "host_sim/report/baked_mesh.h"
+#include "host_sim/report/camera.h"
+
+namespace fixrad::host {
+
+/// A vertex in the picture. What is linear in space is linear in the picture once divided by the distance.
+struct ScreenVertex {
+  glm::dvec2 position{0.0};       ///< in samples, y down
+  double inverse_distance = 0.0;  ///< 1 / distance along the view
+  glm::dvec3 radiosity_over_distance{0.0};
+};
+using ScreenTriangle = std::array<ScreenVertex, 3>;
+
+/// The triangles of the mesh that face the camera, cut off where they come nearer than `near_distance` (> 0).
+std::vector<ScreenTriangle> visible_triangles(const BakedMesh& mesh, const Projection& projection,
+                                              double near_distance);
+
+/// A band of sample rows with depth.
+struct SampleBand {
+  int width = 0;
+  int first_row = 0;
+  int rows = 0;
+  std::vector<double> inverse_distance;  ///< [rows * width], 0 where nothing was drawn
+  std::vector<glm::dvec3> radiosity;     ///< [rows * width]
+
+  /// Makes the band empty, for the rows from `first` on.
+  void clear(int width_in_samples, int first, int count);
+};
+
+/// Draws one triangle into the band where it is nearer than what is there. A sample belongs to a triangle if
+/// its centre lies inside or on an edge; triangles that share an edge leave no gap.
+void draw(const ScreenTriangle& triangle, SampleBand& band);
+
+}  // namespace fixrad::host

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lib/fixrad.h"
+
+namespace fixrad::host {
+
+/// A class of devices: the memory that the solver may take on them, and what the tool chooses for it.
+struct Profile {
+  std::string name;
+  std::uint32_t ram_bytes;
+  std::uint32_t pointer_bytes;  ///< of the typical chip
+  int resolution;               ///< R
+  std::uint32_t elements;       ///< that its accuracy needs
+  std::uint32_t patches;
+  std::string chip;
+};
+
+/// tiny, small, medium, large, host.
+const std::vector<Profile>& profiles();
+
+/// The profile of that name, if there is one.
+std::optional<Profile> find_profile(const std::string& name);
+
+/// Bytes that a solver of these sizes takes on the profile's chip, stack and flash apart.
+std::uint32_t ram_bytes(const Profile& profile, const Sizes& sizes);
+
+/// The delta form-factor table of R = 8, 16, 32, 64 or 128; null for others.
+const DeltaTable* delta_table(int resolution);
+
+}  // namespace fixrad::host
