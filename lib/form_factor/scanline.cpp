@@ -136,7 +136,20 @@ Vec3 to_side(Vec3 v, int side) {
 }
 
 Vec3 RowPosition::direction(int32_t x) const {
-  return {x - kRowMiddle, y() * (static_cast<int32_t>(1) << (kRowLog2 - 1 - resolution_log2)), kRowMiddle};
+  const int32_t along = x - kRowMiddle;
+  const int32_t up = y() * (static_cast<int32_t>(1) << (kRowLog2 - 1 - resolution_log2));
+  switch (side) {
+    case kTop:
+      return {along, up, kRowMiddle};
+    case 1:
+      return {kRowMiddle, along, up};
+    case 2:
+      return {-along, kRowMiddle, up};
+    case 3:
+      return {-kRowMiddle, -along, up};
+    default:
+      return {along, -kRowMiddle, up};
+  }
 }
 
 void enter_side(const Scene& scene, int side, int resolution_log2, Workspace& work) {

@@ -15,7 +15,8 @@ constexpr int kTop = 0;
 /// A vector of the hemicube's frame in the axes of side `side`.
 Vec3 to_side(Vec3 v, int side);
 
-/// One row of a side: samples have direction (x - kRowMiddle, y << (11 - k), kRowMiddle), x in 0..kRowEnd.
+/// One row of a side: in the side's axes, position x has direction (x - kRowMiddle, y << (11 - k), kRowMiddle), x in
+/// 0..kRowEnd.
 struct RowPosition {
   uint8_t side;
   uint8_t row;              ///< 0..R-1 bottom up; sides start at R/2
@@ -26,7 +27,7 @@ struct RowPosition {
     return 2 * static_cast<int32_t>(row) + 1 - (static_cast<int32_t>(1) << resolution_log2);
   }
 
-  /// Direction of position x on the row; components at most 2^11.
+  /// Direction of position x on the row in the hemicube's frame (not the side's); components at most 2^11.
   Vec3 direction(int32_t x) const;
 };
 
