@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// clang-format off
 // Radiosity in fixed point, one page:
 //
-//     static fixrad::Solver<fixrad::Limits<28, 20, 264, 97>> solver;   // all memory there is
+//     static fixrad::Solver<fixrad::Limits<28, 20, 264, 97>> solver;  // all memory there is
 //
-//     fixrad::Status status = solver.load(scene);                      // checks everything or changes
-//     nothing while (status == fixrad::Status::ok) {
-//       status = solver.step();                                        // the brightest patch shoots
+//     fixrad::Status status = solver.load(scene);            // checks everything or changes nothing
+//     while (status == fixrad::Status::ok) {
+//       status = solver.step();                              // the brightest patch shoots
 //     }
-//     colour = solver.vertex_radiosity(map, v, channel);               // any time: the picture only gets
-//     better
+//     colour = solver.vertex_radiosity(map, vertex, channel);  // any time: the picture only gets better
 //
 // Integers only, no heap, no exceptions; the same bits on every processor.
+// clang-format on
 
 #include "lib/transport/gathering.h"
 #include "lib/transport/shooting.h"

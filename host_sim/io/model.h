@@ -26,10 +26,11 @@ struct Material {
 
 /// A polygon as the file gives it: any simple planar polygon, 3 corners or more, not necessarily convex.
 struct Face {
-  std::vector<std::uint32_t> corners;  ///< indices into Model::positions, counter-clockwise seen from the lit side
-  std::uint32_t material = 0;          ///< index into Model::materials
-  std::uint32_t smoothing_group = 0;   ///< OBJ `s`; 0 = off
-  int line = 0;                        ///< line of the `f` statement, for messages
+  std::vector<std::uint32_t>
+      corners;                 ///< indices into Model::positions, counter-clockwise seen from the lit side
+  std::uint32_t material = 0;  ///< index into Model::materials
+  std::uint32_t smoothing_group = 0;  ///< OBJ `s`; 0 = off
+  int line = 0;                       ///< line of the `f` statement, for messages
 };
 
 /// What a scene file says, nothing derived. Faces stay in file order: face i is the i-th `f` of the file.

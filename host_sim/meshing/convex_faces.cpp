@@ -12,12 +12,14 @@
 namespace fixrad::host {
 namespace {
 
-// Within the core's kPlaneTolerance, with room for its rounded normal (16383 / 2^15 = 0.5 units) and for measuring from
-// another corner.
+// Within the core's kPlaneTolerance, with room for its rounded normal (16383 / 2^15 = 0.5 units) and for
+// measuring from another corner.
 constexpr double kPlanar = 1.0;
 constexpr double kConvex = 1.0;
 
-glm::dvec3 at(const QuantisedVertices& vertices, std::uint32_t v) { return glm::dvec3(vertices.positions[v]); }
+glm::dvec3 at(const QuantisedVertices& vertices, std::uint32_t v) {
+  return glm::dvec3(vertices.positions[v]);
+}
 
 std::vector<std::uint32_t> welded_corners(const Face& face, const QuantisedVertices& vertices) {
   std::vector<std::uint32_t> corners;
@@ -84,15 +86,17 @@ ConvexFaces make_convex(const Model& model, const QuantisedVertices& vertices) {
     }
     for (const std::vector<std::uint32_t>& piece : pieces) {
       const auto input = static_cast<std::uint32_t>(f);
-      result.faces.push_back({piece, polygon_normal(vertices, piece), face.material, face.smoothing_group, {{input, piece}}});
+      result.faces.push_back(
+          {piece, polygon_normal(vertices, piece), face.material, face.smoothing_group, {{input, piece}}});
     }
     if (pieces.empty() && collapsed++ == 0) {
       first_line = face.line;
     }
   }
   if (collapsed > 0) {
-    result.warnings.push_back(model.path + ":" + std::to_string(first_line) + ": warning: " + std::to_string(collapsed) +
-                              " face(s), this one first, have no area on the device's grid; they are left out");
+    result.warnings.push_back(
+        model.path + ":" + std::to_string(first_line) + ": warning: " + std::to_string(collapsed) +
+        " face(s), this one first, have no area on the device's grid; they are left out");
   }
   return result;
 }

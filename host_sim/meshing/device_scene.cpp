@@ -15,7 +15,9 @@ namespace {
 constexpr double kAreaScale = 8;  // UQ29.3
 constexpr double kLift = 2;       // quarters of a grid unit
 
-bool is_grey(glm::dvec3 a) { return a.x == a.y && a.y == a.z; }
+bool is_grey(glm::dvec3 a) {
+  return a.x == a.y && a.y == a.z;
+}
 
 void store(std::int16_t (&out)[3], glm::dvec3 v) {
   for (int k = 0; k < 3; ++k) {
@@ -23,8 +25,8 @@ void store(std::int16_t (&out)[3], glm::dvec3 v) {
   }
 }
 
-// The point in quarters of a grid unit, moved along the normal until the core sees it on the lit side of the face's
-// first corner.
+// The point in quarters of a grid unit, moved along the normal until the core sees it on the lit side of the
+// face's first corner.
 void store_eye(std::uint16_t (&out)[3], glm::dvec3 point, const FaceFrame& frame, glm::dvec3 corner) {
   glm::dvec3 q(0.0);
   for (double lift = kLift; lift < 40; lift += 1) {
@@ -46,7 +48,8 @@ class Builder {
     device_.grid = scene_.vertices.grid;
     device_.channels = scene_.channels;
     for (const glm::ivec3& p : scene_.vertices.positions) {
-      device_.vertices.push_back({static_cast<std::int16_t>(p.x), static_cast<std::int16_t>(p.y), static_cast<std::int16_t>(p.z)});
+      device_.vertices.push_back(
+          {static_cast<std::int16_t>(p.x), static_cast<std::int16_t>(p.y), static_cast<std::int16_t>(p.z)});
     }
     for (std::size_t f = 0; f < scene_.faces.size(); ++f) {
       add_face(f);
@@ -72,7 +75,8 @@ class Builder {
     record.cells_v = static_cast<std::uint8_t>(cut.cells_v);
     const glm::dvec3 u = glm::normalize(glm::dvec3(frame.axis_u));
     store(record.normal, frame.normal * static_cast<double>(kUnit));
-    store(record.tangent, glm::normalize(u - frame.normal * glm::dot(u, frame.normal)) * static_cast<double>(kUnit));
+    store(record.tangent,
+          glm::normalize(u - frame.normal * glm::dot(u, frame.normal)) * static_cast<double>(kUnit));
     store(record.origin, frame.origin);
     store(record.axis_u, frame.axis_u);
     store(record.axis_v, frame.axis_v);
@@ -84,7 +88,8 @@ class Builder {
     for (int v = 0; v < cut.cells_v; ++v) {
       const auto row = static_cast<std::size_t>(v);
       const auto first = device_.elements.size() + static_cast<std::size_t>(cut.row_first[row]);
-      device_.cell_rows.push_back({static_cast<std::uint16_t>(first), static_cast<std::uint8_t>(cut.rows[row].first),
+      device_.cell_rows.push_back({static_cast<std::uint16_t>(first),
+                                   static_cast<std::uint8_t>(cut.rows[row].first),
                                    static_cast<std::uint8_t>(cut.rows[row].second)});
     }
     device_.faces.push_back(record);
@@ -205,9 +210,11 @@ class Builder {
     for (const io_material& m : materials) {
       fixrad::Material record = {};
       for (int c = 0; c < 3; ++c) {
-        record.reflectance[c] = static_cast<std::uint32_t>(std::min(4294967295.0, std::round(std::ldexp(m.reflectance[c], 32))));
-        record.emission[c] = static_cast<std::uint32_t>(
-            std::min(4294967295.0, std::round(std::ldexp(m.emission[c] * area_unit * units_a_watt, device_.emission_shift))));
+        record.reflectance[c] =
+            static_cast<std::uint32_t>(std::min(4294967295.0, std::round(std::ldexp(m.reflectance[c], 32))));
+        record.emission[c] = static_cast<std::uint32_t>(std::min(
+            4294967295.0,
+            std::round(std::ldexp(m.emission[c] * area_unit * units_a_watt, device_.emission_shift))));
       }
       device_.materials.push_back(record);
     }
@@ -241,7 +248,9 @@ PreparedScene prepare(const Model& model) {
   }
   scene.channels = grey ? 1 : 3;
   if (scene.faces.empty()) {
-    throw InputError(model.path + ": error: no face has an area on the device's grid; check the scene's unit and outliers");
+    throw InputError(
+        model.path +
+        ": error: no face has an area on the device's grid; check the scene's unit and outliers");
   }
   if (corners > 65535 || scene.vertices.positions.size() > 65535 || model.materials.size() > 65535) {
     throw InputError(model.path + ": error: more than 65535 vertices or corners; simplify the scene");
@@ -278,8 +287,9 @@ Scene DeviceScene::view() const {
 
 std::size_t DeviceScene::rom_bytes() const {
   return vertices.size() * sizeof(Vertex) + corners.size() * 2 + faces.size() * sizeof(fixrad::Face) +
-         cell_rows.size() * sizeof(CellRow) + elements.size() * sizeof(Element) + patches.size() * sizeof(Patch) +
-         patch_elements.size() * 2 + materials.size() * sizeof(fixrad::Material);
+         cell_rows.size() * sizeof(CellRow) + elements.size() * sizeof(Element) +
+         patches.size() * sizeof(Patch) + patch_elements.size() * 2 +
+         materials.size() * sizeof(fixrad::Material);
 }
 
 }  // namespace fixrad::host

@@ -30,7 +30,8 @@ struct PreparedScene {
   int channels = 3;  ///< 1 if every reflectance and emission is grey
 };
 
-/// Reads nothing but the model; throws InputError if nothing with an area is left or the core's counts are exceeded.
+/// Reads nothing but the model; throws InputError if nothing with an area is left or the core's counts are
+/// exceeded.
 PreparedScene prepare(const Model& model);
 
 /// The cut faces of a scene and how their elements are grouped for shooting.
@@ -40,12 +41,12 @@ struct Meshing {
   std::uint32_t element_count = 0, patch_count = 0;
 };
 
-/// Uniform mesh of at most `elements` elements (but at least one a face), grouped into at most `patches` patches where that is
-/// possible. Lamps get 2 x 2 cells at least if there is room.
+/// Uniform mesh of at most `elements` elements (but at least one a face), grouped into at most `patches`
+/// patches where that is possible. Lamps get 2 x 2 cells at least if there is room.
 Meshing make_uniform(const PreparedScene& scene, std::uint32_t elements, std::uint32_t patches);
 
-/// A scene in the core's records, with the numbers that lead back to physical units. Owns the tables that `view()`
-/// points at; must not move while a solver uses them.
+/// A scene in the core's records, with the numbers that lead back to physical units. Owns the tables that
+/// `view()` points at; must not move while a solver uses them.
 struct DeviceScene {
   std::vector<Vertex> vertices;
   std::vector<std::uint16_t> corners;
@@ -69,8 +70,8 @@ struct DeviceScene {
 
 DeviceScene make_device_scene(const PreparedScene& scene, const Meshing& meshing);
 
-/// Area-weighted mean radiosity of each input face, in file order. A face that has no element (it collapsed on the grid)
-/// gets its own emission.
+/// Area-weighted mean radiosity of each input face, in file order. A face that has no element (it collapsed
+/// on the grid) gets its own emission.
 std::vector<glm::dvec3> face_means(const Model& model, const std::vector<Overlap>& overlaps,
                                    const std::vector<glm::dvec3>& element_radiosity);
 

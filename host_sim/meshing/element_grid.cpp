@@ -10,12 +10,14 @@
 namespace fixrad::host {
 namespace {
 
-constexpr double kSliver = 0.2;       // of a whole cell's area
-constexpr double kParallel = 1.5;     // grid units that a parallelogram's fourth corner may be off
-constexpr int kMostCells = 100;       // within the core's 127
-constexpr double kOutside = 1e3;      // stands for infinity in (s, t)
+constexpr double kSliver = 0.2;    // of a whole cell's area
+constexpr double kParallel = 1.5;  // grid units that a parallelogram's fourth corner may be off
+constexpr int kMostCells = 100;    // within the core's 127
+constexpr double kOutside = 1e3;   // stands for infinity in (s, t)
 
-glm::dvec3 position(const QuantisedVertices& vertices, std::uint32_t v) { return glm::dvec3(vertices.positions[v]); }
+glm::dvec3 position(const QuantisedVertices& vertices, std::uint32_t v) {
+  return glm::dvec3(vertices.positions[v]);
+}
 
 bool edge_axes(const QuantisedVertices& vertices, const ConvexFace& face, FaceFrame& frame) {
   const std::size_t n = face.corners.size();
@@ -80,7 +82,8 @@ Polygon2d strip(const Polygon2d& outline, double u0, double u1, double v0, doubl
   return clip(p, {0.0, 1.0}, v1);
 }
 
-// Outline between the lines first/n and (last + 1)/n; the outermost lines are open, so that slivers beyond belong here.
+// Outline between the lines first/n and (last + 1)/n; the outermost lines are open, so that slivers beyond
+// belong here.
 std::pair<double, double> range(int i, int first, int last, int n) {
   return {i == first ? -kOutside : static_cast<double>(i) / n, i == last ? kOutside : (i + 1.0) / n};
 }
@@ -118,7 +121,9 @@ glm::dvec2 FaceFrame::to_frame(glm::dvec3 grid_point) const {
   return {(du * vv - dv * uv) / det, (dv * uu - du * uv) / det};
 }
 
-double FaceFrame::unit_area() const { return glm::length(glm::cross(glm::dvec3(axis_u), glm::dvec3(axis_v))); }
+double FaceFrame::unit_area() const {
+  return glm::length(glm::cross(glm::dvec3(axis_u), glm::dvec3(axis_v)));
+}
 
 FaceFrame make_frame(const QuantisedVertices& vertices, const ConvexFace& face) {
   FaceFrame frame;
@@ -141,7 +146,8 @@ FaceElements cut_face(const FaceFrame& frame, int cells_u, int cells_v) {
   result.cells_v = cells_v;
   const double cell = 1.0 / (cells_u * cells_v);
   const auto row_area = [&](int v) {
-    return area(strip(frame.outline, -kOutside, kOutside, static_cast<double>(v) / cells_v, (v + 1.0) / cells_v));
+    return area(
+        strip(frame.outline, -kOutside, kOutside, static_cast<double>(v) / cells_v, (v + 1.0) / cells_v));
   };
   const auto [v0, v1] = full_run(cells_v, cell, row_area);
   result.rows.resize(static_cast<std::size_t>(cells_v));
@@ -169,7 +175,8 @@ FaceElements cut_face(const FaceFrame& frame, int cells_u, int cells_v) {
 
 std::pair<int, int> cells_for_size(const FaceFrame& frame, double h, int least) {
   const auto cells = [&](double length) {
-    return static_cast<int>(std::clamp(std::round(length / h), static_cast<double>(least), static_cast<double>(kMostCells)));
+    return static_cast<int>(
+        std::clamp(std::round(length / h), static_cast<double>(least), static_cast<double>(kMostCells)));
   };
   return {cells(glm::length(glm::dvec3(frame.axis_u))), cells(glm::length(glm::dvec3(frame.axis_v)))};
 }

@@ -12,8 +12,8 @@
 
 namespace fixrad::host {
 
-/// The affine frame of a face: grid point = origin + s * axis_u + t * axis_v, the face within 0 <= s, t <= 1 (to a grid
-/// unit). Integers, since the core takes them as they are.
+/// The affine frame of a face: grid point = origin + s * axis_u + t * axis_v, the face within 0 <= s, t <= 1
+/// (to a grid unit). Integers, since the core takes them as they are.
 struct FaceFrame {
   glm::ivec3 origin{0}, axis_u{0}, axis_v{0};
   glm::dvec3 normal{0.0};
@@ -25,10 +25,12 @@ struct FaceFrame {
   double unit_area() const;  ///< square grid units of the unit parallelogram
 };
 
-/// Axes along two edges for parallelograms and triangles, else along the longest edge and at right angles to it.
+/// Axes along two edges for parallelograms and triangles, else along the longest edge and at right angles to
+/// it.
 FaceFrame make_frame(const QuantisedVertices& vertices, const ConvexFace& face);
 
-/// An element inside its face: the part of the outline in its range of cells (slivers at the border included).
+/// An element inside its face: the part of the outline in its range of cells (slivers at the border
+/// included).
 struct CellElement {
   int u, v;           ///< its cell
   Polygon2d outline;  ///< convex, in (s, t)
@@ -38,14 +40,16 @@ struct CellElement {
 struct FaceElements {
   int cells_u = 1, cells_v = 1;
   std::vector<std::pair<int, int>> rows;  ///< [cells_v]: first and last cell of each row
-  std::vector<int> row_first;             ///< [cells_v]: index of the row's first element; sliver rows repeat a neighbour's
-  std::vector<CellElement> elements;      ///< row by row
+  std::vector<int>
+      row_first;  ///< [cells_v]: index of the row's first element; sliver rows repeat a neighbour's
+  std::vector<CellElement> elements;  ///< row by row
 };
 
 /// Cuts a face. Cells of less than a fifth of a whole one join their neighbour in the row; so do rows.
 FaceElements cut_face(const FaceFrame& frame, int cells_u, int cells_v);
 
-/// Numbers of cells for square-ish elements of size `h` (grid units), at least `least` and at most 100 along an axis.
+/// Numbers of cells for square-ish elements of size `h` (grid units), at least `least` and at most 100 along
+/// an axis.
 std::pair<int, int> cells_for_size(const FaceFrame& frame, double h, int least);
 
 }  // namespace fixrad::host

@@ -20,8 +20,10 @@ struct Candidate {
   std::vector<std::uint32_t> corners;
 };
 
-// The union of two polygons across their common edge, without the spurs that remain where they share several edges.
-std::vector<std::uint32_t> join(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b, Edge edge) {
+// The union of two polygons across their common edge, without the spurs that remain where they share several
+// edges.
+std::vector<std::uint32_t> join(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b,
+                                Edge edge) {
   std::vector<std::uint32_t> result;
   const auto start_a = static_cast<std::size_t>(std::find(a.begin(), a.end(), edge.second) - a.begin());
   const auto start_b = static_cast<std::size_t>(std::find(b.begin(), b.end(), edge.first) - b.begin());
@@ -47,12 +49,14 @@ std::vector<std::uint32_t> join(const std::vector<std::uint32_t>& a, const std::
 }
 
 // Area over the area of the smallest box along one of the polygon's edges.
-double rectangularity(const QuantisedVertices& vertices, const std::vector<std::uint32_t>& corners, glm::dvec3 normal) {
+double rectangularity(const QuantisedVertices& vertices, const std::vector<std::uint32_t>& corners,
+                      glm::dvec3 normal) {
   double best = 0;
   const auto at = [&](std::uint32_t v) { return glm::dvec3(vertices.positions[v]); };
   double doubled = 0;
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    doubled += glm::dot(normal, glm::cross(at(corners[i]) - at(corners[0]), at(corners[i + 1]) - at(corners[0])));
+    doubled +=
+        glm::dot(normal, glm::cross(at(corners[i]) - at(corners[0]), at(corners[i + 1]) - at(corners[0])));
   }
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const glm::dvec3 u = glm::normalize(at(corners[(i + 1) % corners.size()]) - at(corners[i]));
@@ -69,7 +73,8 @@ double rectangularity(const QuantisedVertices& vertices, const std::vector<std::
   return best;
 }
 
-std::vector<Candidate> find_candidates(const QuantisedVertices& vertices, const std::vector<ConvexFace>& faces) {
+std::vector<Candidate> find_candidates(const QuantisedVertices& vertices,
+                                       const std::vector<ConvexFace>& faces) {
   std::map<Edge, std::size_t> owner;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     for (std::size_t i = 0; i < faces[f].corners.size(); ++i) {

@@ -14,7 +14,8 @@
 namespace fixrad::host {
 namespace {
 
-constexpr int kMargin = 8;  // grid units; eyes are lifted by half a unit, or a few where a face is not quite planar
+constexpr int kMargin =
+    8;  // grid units; eyes are lifted by half a unit, or a few where a face is not quite planar
 
 }  // namespace
 
@@ -30,7 +31,8 @@ QuantisedVertices quantise(const Model& model) {
   const glm::dvec3 size = high - low;
   const double extent = std::max({size.x, size.y, size.z});
   if (model.faces.empty() || !(extent > 0) || !std::isfinite(extent)) {
-    throw InputError(model.path + ": error: the scene has no extent that can be represented; check its coordinates");
+    throw InputError(model.path +
+                     ": error: the scene has no extent that can be represented; check its coordinates");
   }
   QuantisedVertices result;
   result.grid.scale = (kGridMax - 2 * kMargin) / extent;
@@ -46,7 +48,8 @@ QuantisedVertices quantise(const Model& model) {
       seen[v] = true;
       const glm::dvec3 exact = (model.positions[v] - low) * result.grid.scale + glm::dvec3(kMargin);
       const glm::ivec3 p(glm::round(exact));
-      const auto [it, is_new] = known.try_emplace({p.x, p.y, p.z}, static_cast<std::uint32_t>(result.positions.size()));
+      const auto [it, is_new] =
+          known.try_emplace({p.x, p.y, p.z}, static_cast<std::uint32_t>(result.positions.size()));
       if (is_new) {
         result.positions.push_back(p);
       }

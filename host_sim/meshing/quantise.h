@@ -9,8 +9,8 @@
 
 namespace fixrad::host {
 
-/// The device's integer grid laid over a scene: grid = (p - origin) * scale, 0..16383 along the longest side with a
-/// margin for eye points that are lifted off the outermost faces.
+/// The device's integer grid laid over a scene: grid = (p - origin) * scale, 0..16383 along the longest side
+/// with a margin for eye points that are lifted off the outermost faces.
 struct Grid {
   glm::dvec3 origin{0.0};  ///< scene position of grid point (0, 0, 0)
   double scale = 1.0;      ///< grid units a scene unit

@@ -62,7 +62,8 @@ struct ElementOutline {
 bool is_between(glm::dvec3 p, glm::dvec3 a, glm::dvec3 b, double& t) {
   const glm::dvec3 ab = b - a;
   t = glm::dot(p - a, ab) / glm::dot(ab, ab);
-  return t > 0 && t < 1 && glm::distance(p, a + t * ab) < kTouch && glm::distance(p, a) >= kTouch && glm::distance(p, b) >= kTouch;
+  return t > 0 && t < 1 && glm::distance(p, a + t * ab) < kTouch && glm::distance(p, a) >= kTouch &&
+         glm::distance(p, b) >= kTouch;
 }
 
 class SurfaceBuilder {
@@ -102,7 +103,8 @@ class SurfaceBuilder {
     }
   }
 
-  // A vertex of the same surface on an element's side becomes one of its corners, or shading would crack there.
+  // A vertex of the same surface on an element's side becomes one of its corners, or shading would crack
+  // there.
   void insert_side_points() {
     std::map<std::tuple<std::uint32_t, int, int, int>, std::vector<std::uint32_t>> cells;
     double size = 4;
@@ -193,7 +195,8 @@ class SurfaceBuilder {
   }
 
   // The interior vertex nearest to the mirror image of v in the middle of its elements.
-  std::uint32_t opposite_interior(std::size_t v, const std::vector<std::uint16_t>& met, const std::vector<double>& angle) const {
+  std::uint32_t opposite_interior(std::size_t v, const std::vector<std::uint16_t>& met,
+                                  const std::vector<double>& angle) const {
     glm::dvec3 middle(0.0);
     for (const std::uint16_t e : met) {
       middle += to_grid(device_.mesh.elements[e].centroid) / static_cast<double>(met.size());
@@ -224,7 +227,8 @@ class SurfaceBuilder {
         double smallest = std::numeric_limits<double>::infinity();
         for (std::size_t i = 1; i + 1 < c.size(); ++i) {
           const std::array<std::uint32_t, 3> t = {c[s], c[(s + i) % c.size()], c[(s + i + 1) % c.size()]};
-          const glm::dvec3 x = glm::cross(grid_positions_[t[1]] - grid_positions_[t[0]], grid_positions_[t[2]] - grid_positions_[t[0]]);
+          const glm::dvec3 x = glm::cross(grid_positions_[t[1]] - grid_positions_[t[0]],
+                                          grid_positions_[t[2]] - grid_positions_[t[0]]);
           const double signed_area = glm::dot(x, device_.mesh.elements[e].normal);
           smallest = std::min(smallest, signed_area);
           if (signed_area > 0.5) {

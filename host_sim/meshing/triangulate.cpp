@@ -46,8 +46,8 @@ Projection project_along(glm::dvec3 n) {
   return n.z > 0 ? Projection{0, 1} : Projection{1, 0};
 }
 
-GEOSCoordSequence* ring(GEOSContextHandle_t h, const QuantisedVertices& vertices, const std::vector<std::uint32_t>& corners,
-                        Projection project) {
+GEOSCoordSequence* ring(GEOSContextHandle_t h, const QuantisedVertices& vertices,
+                        const std::vector<std::uint32_t>& corners, Projection project) {
   const auto n = static_cast<unsigned>(corners.size());
   GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(h, n + 1, 2);
   for (unsigned i = 0; i <= n; ++i) {
@@ -82,7 +82,8 @@ Triangles fan(const std::vector<std::uint32_t>& corners) {
   return triangles;
 }
 
-Triangles delaunay(const QuantisedVertices& vertices, const std::vector<std::uint32_t>& corners, glm::dvec3 normal) {
+Triangles delaunay(const QuantisedVertices& vertices, const std::vector<std::uint32_t>& corners,
+                   glm::dvec3 normal) {
   const Context context;
   GEOSContextHandle_t h = context.handle;
   const Projection project = project_along(normal);

@@ -12,7 +12,8 @@ bool is_lamp(const PreparedScene& scene, std::size_t f) {
   return scene.model->materials[scene.faces[f].material].emission != glm::dvec3(0.0);
 }
 
-std::vector<FaceElements> cut_all(const PreparedScene& scene, double h, int least_on_lamps, std::uint32_t& count) {
+std::vector<FaceElements> cut_all(const PreparedScene& scene, double h, int least_on_lamps,
+                                  std::uint32_t& count) {
   std::vector<FaceElements> faces;
   count = 0;
   for (std::size_t f = 0; f < scene.faces.size(); ++f) {
@@ -23,7 +24,9 @@ std::vector<FaceElements> cut_all(const PreparedScene& scene, double h, int leas
   return faces;
 }
 
-std::uint32_t blocks(int cells, int block) { return static_cast<std::uint32_t>((cells + block - 1) / block); }
+std::uint32_t blocks(int cells, int block) {
+  return static_cast<std::uint32_t>((cells + block - 1) / block);
+}
 
 // Upper bound of the number of patches: cut faces use fewer blocks than their grid has.
 std::uint32_t count_patches(const Meshing& meshing) {
@@ -69,7 +72,8 @@ Meshing make_uniform(const PreparedScene& scene, std::uint32_t elements, std::ui
       low = middle;
     }
   }
-  for (bool grow_u = true; (best.patch_count = count_patches(best)) > patches && best.block_u * best.block_v < 64;
+  for (bool grow_u = true;
+       (best.patch_count = count_patches(best)) > patches && best.block_u * best.block_v < 64;
        grow_u = !grow_u) {
     ++(grow_u ? best.block_u : best.block_v);
   }

@@ -26,19 +26,28 @@ struct SimulatedDevice::Arrays {
   std::vector<Centroid> centroid;
 };
 
-SimulatedDevice::SimulatedDevice(const Sizes& sizes) : sizes_(sizes), arrays_(std::make_unique<Arrays>(sizes)) {}
+SimulatedDevice::SimulatedDevice(const Sizes& sizes)
+    : sizes_(sizes), arrays_(std::make_unique<Arrays>(sizes)) {}
 
 SimulatedDevice::~SimulatedDevice() = default;
 
 Status SimulatedDevice::load(const Scene& scene, const Settings& settings) {
-  const Capacity capacity = {static_cast<std::uint16_t>(sizes_.vertices), static_cast<std::uint16_t>(sizes_.faces),
-                             static_cast<std::uint16_t>(sizes_.elements), static_cast<std::uint16_t>(sizes_.patches),
-                             static_cast<std::uint8_t>(sizes_.channels)};
+  const Capacity capacity = {
+      static_cast<std::uint16_t>(sizes_.vertices), static_cast<std::uint16_t>(sizes_.faces),
+      static_cast<std::uint16_t>(sizes_.elements), static_cast<std::uint16_t>(sizes_.patches),
+      static_cast<std::uint8_t>(sizes_.channels)};
   const Status status = check_scene(scene, capacity);
   if (status == Status::ok) {
     Arrays& a = *arrays_;
-    state_.work = {a.directions.data(), a.views.data(), a.spans.data(), a.items.data(),
-                   static_cast<std::uint32_t>(a.items.size()), static_cast<std::uint16_t>(sizes_.spans), 0, 0, 0};
+    state_.work = {a.directions.data(),
+                   a.views.data(),
+                   a.spans.data(),
+                   a.items.data(),
+                   static_cast<std::uint32_t>(a.items.size()),
+                   static_cast<std::uint16_t>(sizes_.spans),
+                   0,
+                   0,
+                   0};
     state_.row = {a.share.data(), scene.element_count, 0, 0};
     state_.received = a.received.data();
     state_.unshot = a.unshot.data();

@@ -21,12 +21,13 @@ bool find_visible(const Scene& scene, const RowPosition& at, Workspace& work, Vi
   return true;
 }
 
-// From inside a closed scene every sample shows a face. Where rounding leaves a sliver uncovered (an eye within a
-// thousandth of the room from a wall) it belongs to a neighbour on the row. Wider openings are real: a closed body may
-// also be seen from outside.
+// From inside a closed scene every sample shows a face. Where rounding leaves a sliver uncovered (an eye
+// within a thousandth of the room from a wall) it belongs to a neighbour on the row. Wider openings are real:
+// a closed body may also be seen from outside.
 constexpr int32_t kSliver = kRowEnd / 256;
 
-uint16_t covering_view(const VisibleSpans& visible, uint16_t i, uint16_t previous, bool is_closed, Workspace& work) {
+uint16_t covering_view(const VisibleSpans& visible, uint16_t i, uint16_t previous, bool is_closed,
+                       Workspace& work) {
   const uint16_t view = visible[i].view;
   if (view != kNothing || !is_closed || visible.end_of(i) - visible[i].start > kSliver) {
     return view;

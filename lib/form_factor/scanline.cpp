@@ -34,35 +34,43 @@ int32_t clamp(int32_t a, int32_t low, int32_t high) {
   return a < low ? low : (a > high ? high : a);
 }
 
+bool is_outside(const Scene& scene, int side, const Direction* directions, const FaceView& view) {
+  int outside = 31;
+  for (int k = 0; k < view.corner_count && outside != 0; ++k) {
+    outside &= outcode(side_direction(directions[view_corner(scene, view, k)], side), side);
+  }
+  return outside != 0;
+}
+
 // A vertex with z > 0 is above row r while 2 r + 1 - R <= R y / z, which gives the rows exactly. A face that
 // reaches behind the eye may cross any row.
 void find_rows(const Scene& scene, int side, int resolution_log2, const Direction* directions,
                FaceView& view) {
-  const Face face = flash_read(scene.faces, view.face);
   const int32_t r = static_cast<int32_t>(1) << resolution_log2;
   const int32_t bottom = side == kTop ? 0 : r / 2;
+  view.first_row = 1;
+  view.last_row = 0;
+  if (is_outside(scene, side, directions, view)) {
+    return;
+  }
   int32_t lowest = r, highest = -r - 1;
-  int outside = 31;
-  bool is_in_front = true;
-  for (int k = 0; k < face.corner_count; ++k) {
-    const Vec3 v = side_direction(directions[corner_vertex(scene, face, k)], side);
-    outside &= outcode(v, side);
-    is_in_front = is_in_front && v.z > 0;
-    if (is_in_front) {
-      const int32_t height = clamp(floor_divide(v.y * r, v.z), -r - 1, r);
-      lowest = height < lowest ? height : lowest;
-      highest = height > highest ? height : highest;
+  for (int k = 0; k < view.corner_count; ++k) {
+    const Vec3 v = side_direction(directions[view_corner(scene, view, k)], side);
+    if (v.z <= 0) {
+      lowest = -r - 1;
+      highest = r;
+      break;
     }
+    const int32_t height = clamp(floor_divide(v.y * r, v.z), -r - 1, r);
+    lowest = height < lowest ? height : lowest;
+    highest = height > highest ? height : highest;
   }
-  int32_t first = bottom;
-  int32_t last = r - 1;
-  if (is_in_front) {
-    first = clamp(floor_divide(lowest + r - 1, 2) + 1, bottom, r);
-    last = clamp(floor_divide(highest + r - 1, 2), -1, r - 1);
+  const int32_t first = clamp(floor_divide(lowest + r - 1, 2) + 1, bottom, r);
+  const int32_t last = clamp(floor_divide(highest + r - 1, 2), -1, r - 1);
+  if (first <= last) {
+    view.first_row = static_cast<uint8_t>(first);
+    view.last_row = static_cast<uint8_t>(last);
   }
-  const bool is_visible = outside == 0 && first <= last;
-  view.first_row = static_cast<uint8_t>(is_visible ? first : 1);
-  view.last_row = static_cast<uint8_t>(is_visible ? last : 0);
 }
 
 void start_edge(EdgeCursor& cursor, int resolution_log2, Vec3 below, Vec3 above) {
@@ -120,21 +128,6 @@ void meet_edge(const RowPosition& at, bool is_left, uint8_t edge, Vec3 below, Ve
 
 }  // namespace
 
-Vec3 to_side(Vec3 v, int side) {
-  switch (side) {
-    case kTop:
-      return v;
-    case 1:
-      return {v.y, v.z, v.x};
-    case 2:
-      return {-v.x, v.z, v.y};
-    case 3:
-      return {-v.y, v.z, -v.x};
-    default:
-      return {v.x, v.z, -v.y};
-  }
-}
-
 Vec3 RowPosition::direction(int32_t x) const {
   const int32_t along = x - kRowMiddle;
   const int32_t up = y() * (static_cast<int32_t>(1) << (kRowLog2 - 1 - resolution_log2));
@@ -165,15 +158,14 @@ void enter_side(const Scene& scene, int side, int resolution_log2, Workspace& wo
 // left.
 Interval face_interval(const Scene& scene, const RowPosition& at, const Direction* directions,
                        FaceView& view) {
-  const Face face = flash_read(scene.faces, view.face);
   const int32_t r = static_cast<int32_t>(1) << at.resolution_log2;
   const int32_t y = at.y();
   Ends ends = {kRowEnd, 0, false, false};
-  int from = face.corner_count - 1;
-  Vec3 a = side_direction(directions[corner_vertex(scene, face, from)], at.side);
+  int from = view.corner_count - 1;
+  Vec3 a = side_direction(directions[view_corner(scene, view, from)], at.side);
   bool a_above = r * a.y >= y * a.z;
-  for (int k = 0; k < face.corner_count; ++k) {
-    const Vec3 b = side_direction(directions[corner_vertex(scene, face, k)], at.side);
+  for (int k = 0; k < view.corner_count; ++k) {
+    const Vec3 b = side_direction(directions[view_corner(scene, view, k)], at.side);
     const bool b_above = r * b.y >= y * b.z;
     if (a_above != b_above) {
       const bool is_left = b_above != view.is_back;

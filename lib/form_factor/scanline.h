@@ -13,10 +13,23 @@ constexpr int kSides = 5;
 constexpr int kTop = 0;
 
 /// A vector of the hemicube's frame in the axes of side `side`.
-Vec3 to_side(Vec3 v, int side);
+inline Vec3 to_side(Vec3 v, int side) {
+  switch (side) {
+    case kTop:
+      return v;
+    case 1:
+      return {v.y, v.z, v.x};
+    case 2:
+      return {-v.x, v.z, v.y};
+    case 3:
+      return {-v.y, v.z, -v.x};
+    default:
+      return {v.x, v.z, -v.y};
+  }
+}
 
-/// One row of a side: in the side's axes, position x has direction (x - kRowMiddle, y << (11 - k), kRowMiddle), x in
-/// 0..kRowEnd.
+/// One row of a side: in the side's axes, position x has direction (x - kRowMiddle, y << (11 - k),
+/// kRowMiddle), x in 0..kRowEnd.
 struct RowPosition {
   uint8_t side;
   uint8_t row;              ///< 0..R-1 bottom up; sides start at R/2

@@ -101,6 +101,8 @@ void make_view(const Scene& scene, const EyePoint& eye, bool back_faces, Workspa
     }
     FaceView& view = work.views[work.view_count++];
     view.face = f;
+    view.first_corner = face.first_corner;
+    view.corner_count = face.corner_count;
     view.is_back = is_back;
     make_plane(frame, vec(face.normal), height, view);
     if (!is_back && face.cells_u * face.cells_v > 1) {

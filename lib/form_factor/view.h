@@ -22,7 +22,7 @@ struct EdgeCursor {
 
 constexpr uint8_t kNoEdge = 0xff;
 
-/// A face as the current eye sees it; 80 bytes. Vectors are in the hemicube's frame.
+/// A face as the current eye sees it; 84 bytes. Vectors are in the hemicube's frame.
 struct FaceView {
   Vec3 grid_u, grid_v,
       grid_n;              ///< u = (grid_u . d) / (grid_n . d) is the cell coordinate in direction d; < 2^18
@@ -30,6 +30,8 @@ struct FaceView {
   EdgeCursor left, right;
   int16_t depth_normal[3];  ///< Q14; 1/depth in direction d is (depth_normal . d) / depth_distance
   uint16_t face;
+  uint16_t first_corner;  ///< of the face, kept here because every row needs them
+  uint8_t corner_count;
   uint8_t left_edge, right_edge;  ///< edge that the cursor holds, or kNoEdge
   uint8_t first_row, last_row;    ///< rows of the current side that it crosses; first > last: none
   bool is_back;                   ///< its back is seen: it blocks and is black
@@ -41,6 +43,11 @@ struct Span {
   uint16_t view;   ///< index into views, or kNothing
   uint16_t next;   ///< index into the pool, or kNoSpan
 };
+
+/// Vertex of corner `k` of the viewed face.
+inline uint16_t view_corner(const Scene& scene, const FaceView& view, int k) {
+  return flash_read(scene.corners, static_cast<unsigned>(view.first_corner + k));
+}
 
 constexpr uint16_t kNothing = 0xffff;
 constexpr uint16_t kNoSpan = 0xffff;

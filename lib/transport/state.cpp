@@ -81,14 +81,12 @@ Flux exitent_flux(const State& state, uint16_t e, int c) {
 Radiosity ambient_radiosity(const State& state, int c) {
   const Scene& scene = state.scene;
   int64_t unshot = 0;
-  uint64_t area = 0;
   uint64_t absorbing_area = 0;
   for (uint16_t p = 0; p < scene.patch_count; ++p) {
     unshot += state.unshot[static_cast<uint32_t>(p) * scene.channels + static_cast<unsigned>(c)];
   }
   for (uint16_t e = 0; e < scene.element_count; ++e) {
     const Element element = flash_read(scene.elements, e);
-    area += element.area;
     absorbing_area += element.area - mul_high(material_of(scene, element).reflectance[c], element.area);
   }
   if (unshot <= 0 || absorbing_area == 0) {

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "host_sim/reference/twin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace fixrad::host {
+namespace {
+
+TwinEngine engine_of(const Settings& settings) {
+  if (settings.engine == hemicube_rows) {
+    return TwinEngine::rows;
+  }
+  if (settings.engine == hemicube_pixels) {
+    return TwinEngine::pixels;
+  }
+  throw std::invalid_argument("the twin in double knows the engines rows and pixels only");
+}
+
+}  // namespace
+
+Twin::Twin(const Scene& scene, const Settings& settings)
+    : scene_(make_twin_scene(scene)),
+      hemicube_(scene_, 1 << settings.table->resolution_log2, engine_of(settings)),
+      received_(scene_.element_count() * scene_.channels, 0.0),
+      unshot_(static_cast<std::size_t>(scene_.patch_count) * scene_.channels, 0.0) {
+  row_.share.resize(scene_.element_count());
+  for (std::size_t e = 0; e < scene_.element_count(); ++e) {
+    for (std::size_t c = 0; c < scene_.channels; ++c) {
+      unshot_[scene_.element_patch[e] * scene_.channels + c] += scene_.emitted[e * scene_.channels + c];
+    }
+  }
+}
+
+void Twin::replay(const Recorder& recorder) {
+  for (const RecordedShot& shot : recorder.shots()) {
+    shoot(shot, recorder.eyes().data() + shot.first_eye);
+  }
+}
+
+void Twin::shoot(const RecordedShot& shot, const EyeSample* eyes) {
+  std::fill(row_.share.begin(), row_.share.end(), 0.0);
+  row_.escaped = row_.back = 0;
+  for (std::size_t i = 0; i < shot.eye_count; ++i) {
+    hemicube_.add(eyes[i], row_);
+  }
+  const std::size_t channels = scene_.channels;
+  double amount[kMaxChannels] = {};
+  for (std::size_t c = 0; c < channels; ++c) {
+    double& unshot = unshot_[shot.patch * channels + c];
+    amount[c] = unshot * shot.factor[c];
+    unshot -= amount[c];
+    escaped_[c] += amount[c] * row_.escaped;
+    back_[c] += amount[c] * row_.back;
+  }
+  for (std::size_t e = 0; e < scene_.element_count(); ++e) {
+    if (row_.share[e] == 0.0) {
+      continue;
+    }
+    double* unshot = unshot_.data() + scene_.element_patch[e] * channels;
+    for (std::size_t c = 0; c < channels; ++c) {
+      const double share = amount[c] * row_.share[e];
+      received_[e * channels + c] += share;
+      unshot[c] += scene_.reflectance[e * channels + c] * share;
+    }
+  }
+}
+
+double Twin::exitent_flux(std::size_t element, std::size_t c) const {
+  const std::size_t i = element * scene_.channels + c;
+  return std::max(0.0, scene_.emitted[i] + scene_.reflectance[i] * received_[i]);
+}
+
+double Twin::emitted(std::size_t c) const {
+  double sum = 0;
+  for (std::size_t e = 0; e < scene_.element_count(); ++e) {
+    sum += scene_.emitted[e * scene_.channels + c];
+  }
+  return sum;
+}
+
+double Twin::absorbed(std::size_t c) const {
+  double sum = 0;
+  for (std::size_t e = 0; e < scene_.element_count(); ++e) {
+    const std::size_t i = e * scene_.channels + c;
+    sum += (1 - scene_.reflectance[i]) * received_[i];
+  }
+  return sum;
+}
+
+std::vector<glm::dvec3> Twin::element_radiosity(double unit_watts, double area_unit) const {
+  std::vector<glm::dvec3> radiosity(scene_.element_count());
+  for (std::size_t e = 0; e < scene_.element_count(); ++e) {
+    const double factor = unit_watts / (scene_.element_area[e] * area_unit);
+    for (glm::length_t c = 0; c < 3; ++c) {
+      const auto channel = std::min<std::size_t>(static_cast<std::size_t>(c), scene_.channels - 1);
+      radiosity[e][c] = exitent_flux(e, channel) * factor;
+    }
+  }
+  return radiosity;
+}
+
+ArithmeticError compare_arithmetic(const std::vector<glm::dvec3>& fixed, const std::vector<glm::dvec3>& twin,
+                                   const std::vector<double>& areas) {
+  if (fixed.size() != twin.size() || fixed.size() != areas.size()) {
+    throw std::invalid_argument("radiosities and areas must be of the same elements");
+  }
+  ArithmeticError error = {0, 0};
+  for (glm::length_t c = 0; c < 3; ++c) {
+    double area = 0, light = 0, sum = 0, highest = 0;
+    for (std::size_t e = 0; e < areas.size(); ++e) {
+      const double difference = std::fabs(fixed[e][c] - twin[e][c]);
+      area += areas[e];
+      light += areas[e] * twin[e][c];
+      sum += areas[e] * difference;
+      highest = std::max(highest, difference);
+    }
+    if (light > 0) {
+      error.mean = std::max(error.mean, sum / light);
+      error.max = std::max(error.max, highest * area / light);
+    }
+  }
+  return error;
+}
+
+}  // namespace fixrad::host

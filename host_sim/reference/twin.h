@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "host_sim/reference/twin_hemicube.h"
+#include "host_sim/reference/twin_recorder.h"
+#include "host_sim/reference/twin_scene.h"
+
+namespace fixrad::host {
+
+/// Reference 1: the core's hemicube and shooting in double precision. It replays the shots of a fixed-point
+/// run, with the same eye points, axes and resolution, so that only the arithmetic differs; what each patch
+/// has to send is the twin's own.
+class Twin {
+ public:
+  /// Starts from the emitted flux. Of `settings`, table (for R) and engine count; throws
+  /// std::invalid_argument if the engine is none of hemicube_rows and hemicube_pixels. Tables and scene are
+  /// copied.
+  Twin(const Scene& scene, const Settings& settings);
+  Twin(const Twin&) = delete;
+  Twin& operator=(const Twin&) = delete;
+
+  /// Fires all recorded shots in order. Cost: as the fixed run, less its search for buried eye points.
+  void replay(const Recorder& recorder);
+
+  /// Fires one shot. eyes [shot.eye_count], whose weights sum to 2^16.
+  void shoot(const RecordedShot& shot, const EyeSample* eyes);
+
+  /// Form factors of the last shot; with `escaped` and `back` they sum to 1.
+  const TwinFormFactors& form_factors() const { return row_; }
+
+  const TwinScene& scene() const { return scene_; }
+  /// Flux units of the scene, channel `c`.
+  double received(std::size_t element, std::size_t c) const {
+    return received_[element * scene_.channels + c];
+  }
+  /// Emitted and reflected in all; never negative.
+  double exitent_flux(std::size_t element, std::size_t c) const;
+  double unshot(std::size_t patch, std::size_t c) const { return unshot_[patch * scene_.channels + c]; }
+  double emitted(std::size_t c) const;   ///< by all elements
+  double absorbed(std::size_t c) const;  ///< by all elements
+  double escaped(std::size_t c) const { return escaped_[c]; }
+  double back(std::size_t c) const { return back_[c]; }
+
+  /// Radiosity of every element, W/m^2 (or what `unit_watts` / `area_unit` make of it), for a flux unit of
+  /// `unit_watts` and a raw area unit (1/8 square grid unit) of `area_unit`. One channel is repeated three
+  /// times.
+  std::vector<glm::dvec3> element_radiosity(double unit_watts, double area_unit) const;
+
+ private:
+  TwinScene scene_;
+  TwinHemicube hemicube_;
+  TwinFormFactors row_;
+  std::vector<double> received_;  // [element][channel]
+  std::vector<double> unshot_;    // [patch][channel]
+  double escaped_[kMaxChannels] = {};
+  double back_[kMaxChannels] = {};
+};
+
+/// Error of the fixed-point arithmetic: |fixed - twin| of element radiosities over the scene's mean
+/// radiosity.
+struct ArithmeticError {
+  double mean, max;  ///< of the worst channel
+};
+
+/// `fixed`, `twin` [elements] in one unit, `areas` [elements]: means are weighted by area. A channel without
+/// light does not count. Throws std::invalid_argument if the sizes differ.
+ArithmeticError compare_arithmetic(const std::vector<glm::dvec3>& fixed, const std::vector<glm::dvec3>& twin,
+                                   const std::vector<double>& areas);
+
+}  // namespace fixrad::host

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lib/transport/state.h"
+
+namespace fixrad::host {
+
+/// One shot of a fixed-point run.
+struct RecordedShot {
+  std::uint16_t patch;
+  std::size_t first_eye, eye_count;  ///< into Recorder::eyes()
+  std::array<double, kMaxChannels>
+      factor;  ///< flux sent over the patch's unshot flux; 1 but for overshooting
+};
+
+/// Writes down what a fixed-point run does, so that its twin in double can replay it: which patch shot, from
+/// which eye points, and how much it overshot. Put observer() into the run's Settings; the recorder must stay
+/// where it is until the run ends.
+class Recorder {
+ public:
+  /// `state` is that of the run, read when a shot is fired: flux before the shot is still in its ledger.
+  explicit Recorder(const State& state) : state_(&state) {}
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+
+  Observer observer();
+  const std::vector<RecordedShot>& shots() const { return shots_; }
+  const std::vector<EyeSample>& eyes() const { return eyes_; }
+
+ private:
+  void take_eye(const EyeSample& sample);
+  void take_shot(std::uint16_t patch, const Flux* amount, bool overshoots);
+  void withdraw() { eyes_.resize(shot_eyes_); }
+
+  const State* state_;
+  std::vector<RecordedShot> shots_;
+  std::vector<EyeSample> eyes_;
+  std::size_t shot_eyes_ = 0;  // eyes of complete shots; those behind it belong to the coming one
+};
+
+}  // namespace fixrad::host

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#include "lib/fixed/q.h"
+
+using Coarse = fixrad::Q<int32_t, 8>;
+using Fine = fixrad::Q<int32_t, 16>;
+
+using Wide = fixrad::Q<int64_t, 16>;
+
+Wide add(Wide a, Fine b) {
+#ifndef FIXRAD_CONTROL
+  a += b;
+#endif
+  static_cast<void>(b);
+  return a;
+}

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+#include "host_sim/reference/twin.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <stdexcept>
+
+#include "lib/fixrad.h"
+#include "tests/reference/twin_room.h"
+
+namespace fixrad::host {
+namespace {
+
+// The project's bar for fixed-point arithmetic against the same algorithm in double.
+constexpr double kMeanBar = 0.0015, kMaxBar = 0.015;
+
+using TestSolver = Solver<Limits<64, 32, 1024, 300, 256, 3, 32>>;
+
+// A fixed-point run to its end, and the shots it fired.
+struct FixedRun {
+  explicit FixedRun(const Scene& from, Settings wanted = {})
+      : scene(from), recorder(solver->state()), settings(wanted) {
+    settings.observer = recorder.observer();
+    status = solver->load(scene, settings);
+    while (status == Status::ok) {
+      status = solver->step();
+    }
+  }
+
+  std::unique_ptr<Twin> replay() const {
+    auto twin = std::make_unique<Twin>(scene, settings);
+    twin->replay(recorder);
+    return twin;
+  }
+
+  Scene scene;
+  std::unique_ptr<TestSolver> solver = std::make_unique<TestSolver>();
+  Recorder recorder;
+  Settings settings;
+  Status status;
+};
+
+// Both in the core's radiosity unit.
+ArithmeticError arithmetic_error(const FixedRun& run, const Twin& twin) {
+  std::vector<glm::dvec3> fixed(run.scene.element_count);
+  for (std::uint16_t e = 0; e < run.scene.element_count; ++e) {
+    for (int c = 0; c < 3; ++c) {
+      const int channel = c < run.scene.channels ? c : run.scene.channels - 1;
+      fixed[e][c] = element_radiosity(run.solver->state(), e, channel, Radiosity::from_raw(0)).raw;
+    }
+  }
+  const double unit = std::ldexp(1.0, run.scene.radiosity_shift);
+  return compare_arithmetic(fixed, twin.element_radiosity(unit, 1.0), twin.scene().element_area);
+}
+
+void expect_within_bar(const FixedRun& run) {
+  ASSERT_EQ(run.status, Status::converged);
+  const ArithmeticError error = arithmetic_error(run, *run.replay());
+  EXPECT_LE(error.mean, kMeanBar);
+  EXPECT_LE(error.max, kMaxBar);
+}
+
+// A box of 12000 x 9000 x 8000 grid units, its ceiling with a lamp's emission.
+void add_room(TwinRoom& room, unsigned n) {
+  const std::uint16_t walls = room.add_material({0.7, 0.5, 0.3}, {0, 0, 0});
+  const std::uint16_t lamp = room.add_material({0.5, 0.5, 0.5}, {1, 0.8, 0.5});
+  const Vec3 x = {12000, 0, 0}, y = {0, 9000, 0}, z = {0, 0, 8000};
+  room.add_quad({1000, 1000, 1000}, x, y, n, walls);
+  room.add_quad({1000, 1000, 9000}, y, x, n, lamp);
+  room.add_quad({1000, 1000, 1000}, z, x, n, walls);
+  room.add_quad({1000, 10000, 1000}, x, z, n, walls);
+  room.add_quad({1000, 1000, 1000}, y, z, n, walls);
+  room.add_quad({13000, 1000, 1000}, z, y, n, walls);
+}
+
+// Stands in the room with its sides at 37 degrees to the walls and hangs clear of the floor.
+void add_turned_box(TwinRoom& room, unsigned n) {
+  const std::uint16_t paint = room.add_material({0.6, 0.6, 0.2}, {0, 0, 0});
+  room.add_box({6000, 4000, 1500}, {2400, 1800, 0}, {-1500, 2000, 0}, {0, 0, 4000}, false, n, paint);
+}
+
+class TwinAtResolution : public ::testing::TestWithParam<const DeltaTable*> {
+ protected:
+  Settings settings() const {
+    Settings settings;
+    settings.table = GetParam();
+    return settings;
+  }
+};
+
+TEST_P(TwinAtResolution, ArithmeticErrorOfAnEmptyRoomIsWithinTheBar) {
+  TwinRoom room;
+  add_room(room, 6);
+  expect_within_bar(FixedRun(room.scene(), settings()));
+}
+
+TEST_P(TwinAtResolution, ArithmeticErrorRoundATurnedBoxIsWithinTheBar) {
+  TwinRoom room;
+  add_room(room, 6);
+  add_turned_box(room, 4);
+  expect_within_bar(FixedRun(room.scene(), settings()));
+}
+
+TEST_P(TwinAtResolution, ArithmeticErrorOfThePixelEngineIsWithinTheBar) {
+  TwinRoom room;
+  add_room(room, 6);
+  add_turned_box(room, 4);
+  Settings pixels = settings();
+  pixels.engine = hemicube_pixels;
+  expect_within_bar(FixedRun(room.scene(), pixels));
+}
+
+TEST_P(TwinAtResolution, OvershootsAreReplayed) {
+  TwinRoom room;
+  add_room(room, 6);
+  add_turned_box(room, 4);
+  Settings overshoot = settings();
+  overshoot.overshoot = true;
+  const FixedRun run(room.scene(), overshoot);
+  double largest = 0;
+  for (const RecordedShot& shot : run.recorder.shots()) {
+    largest = std::max(largest, shot.factor[0]);
+  }
+  EXPECT_GT(largest, 1.0);
+  EXPECT_LE(largest, 2.0);
+  expect_within_bar(run);
+}
+
+INSTANTIATE_TEST_SUITE_P(R, TwinAtResolution, ::testing::Values(&kDelta16, &kDelta32),
+                         [](const auto& table) { return std::to_string(1 << table.param->resolution_log2); });
+
+TEST(Twin, ReplaysABackFaceThatBlocks) {
+  TwinRoom room;
+  add_room(room, 4);
+  const std::uint16_t paint = room.add_material({0.5, 0.5, 0.5}, {0, 0, 0});
+  room.add_quad({4000, 3000, 5000}, {5000, 0, 500}, {0, 4000, 300}, 3, paint);
+  const FixedRun run(room.scene());
+  ASSERT_FALSE(run.solver->state().is_closed);
+  const auto twin = run.replay();
+  for (unsigned c = 0; c < 3; ++c) {
+    const double fixed = run.solver->state().back[c] / twin->emitted(c);
+    EXPECT_GT(fixed, 0.01);
+    EXPECT_NEAR(twin->back(c) / twin->emitted(c), fixed, kMeanBar);
+  }
+  expect_within_bar(run);
+}
+
+TEST(Twin, ReplaysAnOpenRoomOfOneChannel) {
+  TwinRoom room;
+  const std::uint16_t wall = room.add_material({0.8, 0, 0}, {0, 0, 0});
+  const std::uint16_t lamp = room.add_material({0.2, 0, 0}, {1, 0, 0});
+  room.add_quad({2000, 2000, 2000}, {9000, 0, 0}, {0, 9000, 0}, 8, wall);
+  room.add_quad({2000, 2000, 2000}, {0, 9000, 0}, {0, 0, 7000}, 8, wall);
+  room.add_quad({6000, 6000, 9000}, {0, 3000, 0}, {3000, 0, 0}, 2, lamp);
+  const FixedRun run(room.scene(1));
+  const auto twin = run.replay();
+  const double fixed = run.solver->state().escaped[0] / twin->emitted(0);
+  EXPECT_GT(fixed, 0.1);
+  EXPECT_NEAR(twin->escaped(0) / twin->emitted(0), fixed, kMeanBar);
+  expect_within_bar(run);
+}
+
+TEST(Twin, FormFactorsOfEveryShotSumToOne) {
+  for (const Engine engine : {hemicube_rows, hemicube_pixels}) {
+    TwinRoom room;
+    add_room(room, 4);
+    add_turned_box(room, 2);
+    Settings settings;
+    settings.engine = engine;
+    const FixedRun run(room.scene(), settings);
+    Twin twin(run.scene, run.settings);
+    for (const RecordedShot& shot : run.recorder.shots()) {
+      twin.shoot(shot, run.recorder.eyes().data() + shot.first_eye);
+      const TwinFormFactors& row = twin.form_factors();
+      EXPECT_NEAR(std::accumulate(row.share.begin(), row.share.end(), row.escaped + row.back), 1.0, 1e-12);
+    }
+  }
+}
+
+TEST(Twin, LosesNoLightFromAClosedScene) {
+  TwinRoom room;
+  add_room(room, 4);
+  add_turned_box(room, 2);
+  const FixedRun run(room.scene());
+  ASSERT_TRUE(run.solver->state().is_closed);
+  const auto twin = run.replay();
+  for (unsigned c = 0; c < 3; ++c) {
+    EXPECT_LT(twin->escaped(c) / twin->emitted(c), 1e-9);
+    EXPECT_EQ(twin->back(c), 0.0);
+  }
+}
+
+TEST(Twin, ConservesEnergy) {
+  for (const bool overshoot : {false, true}) {
+    TwinRoom room;
+    add_room(room, 4);
+    const std::uint16_t paint = room.add_material({0.5, 0.5, 0.5}, {0, 0, 0});
+    room.add_quad({4000, 3000, 5000}, {5000, 0, 500}, {0, 4000, 300}, 3, paint);
+    Settings settings;
+    settings.overshoot = overshoot;
+    const FixedRun run(room.scene(), settings);
+    const auto twin = run.replay();
+    for (unsigned c = 0; c < 3; ++c) {
+      double found = twin->absorbed(c) + twin->escaped(c) + twin->back(c);
+      for (std::size_t p = 0; p < run.scene.patch_count; ++p) {
+        found += twin->unshot(p, c);
+      }
+      EXPECT_NEAR(found / twin->emitted(c), 1.0, 1e-9);
+    }
+  }
+}
+
+TEST(Twin, RefusesAnEngineThatItDoesNotKnow) {
+  TwinRoom room;
+  add_room(room, 1);
+  Settings settings;
+  settings.engine = [](const Scene&, const DeltaTable&, const EyeSample&, Workspace&, FormFactorRow&) {
+    return Status::ok;
+  };
+  EXPECT_THROW(Twin(room.scene(), settings), std::invalid_argument);
+}
+
+TEST(TwinDeltaTable, SumsToOneOverTheHemicube) {
+  for (const int resolution : {8, 16, 32, 64, 128}) {
+    const TwinDeltaTable table(resolution);
+    double sum = 0;
+    for (int r = 0; r < resolution; ++r) {
+      sum +=
+          table.row(true, r).sum_to(1.0) + (r >= resolution / 2 ? 4 * table.row(false, r).sum_to(1.0) : 0.0);
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-12);
+  }
+}
+
+TEST(Recorder, DropsEyesThatWereWithdrawn) {
+  TwinRoom room;
+  add_room(room, 2);
+  const Scene scene = room.scene();
+  State state = {};
+  state.scene = scene;
+  Recorder recorder(state);
+  const Observer observer = recorder.observer();
+  const EyeSample buried = {{{1, 1, 1}, 0, 0}, 0, kRowOne, true};
+  const EyeSample half = {{{2, 2, 2}, 0, 1}, 0, kRowOne / 2, true};
+  const EyeSample rest = {{{3, 3, 3}, 0, 2}, kRowOne / 2, kRowOne / 2, true};
+  const Flux amount[3] = {Flux::from_raw(8), Flux::from_raw(8), Flux::from_raw(8)};
+  observer.on_eye(observer.context, buried);
+  observer.on_withdraw(observer.context);
+  observer.on_eye(observer.context, half);
+  observer.on_eye(observer.context, rest);
+  observer.on_shot(observer.context, 5, amount, false);
+  ASSERT_EQ(recorder.shots().size(), 1u);
+  EXPECT_EQ(recorder.shots()[0].patch, 5);
+  ASSERT_EQ(recorder.shots()[0].eye_count, 2u);
+  EXPECT_EQ(recorder.eyes()[recorder.shots()[0].first_eye].eye.position.x, 2);
+}
+
+TEST(CompareArithmetic, WeighsTheMeanByAreaAndTakesTheWorstChannel) {
+  // Mean light of the twin: (3 * 2 + 1 * 6) / 4 = 3. Channel 1 differs by 0.3 on the small element only.
+  const std::vector<glm::dvec3> twin = {{2, 2, 0}, {6, 6, 0}};
+  const std::vector<glm::dvec3> fixed = {{2, 2, 0}, {6, 6.3, 0}};
+  const ArithmeticError error = compare_arithmetic(fixed, twin, {3.0, 1.0});
+  EXPECT_NEAR(error.mean, 0.3 / 12, 1e-12);
+  EXPECT_NEAR(error.max, 0.1, 1e-12);
+}
+
+TEST(CompareArithmetic, RefusesListsOfDifferentLength) {
+  EXPECT_THROW(compare_arithmetic({glm::dvec3(1)}, {glm::dvec3(1)}, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace fixrad::host
