@@ -27,7 +27,7 @@ class Twin {
   /// Fires all recorded shots in order. Cost: as the fixed run, less its search for buried eye points.
   void replay(const Recorder& recorder);
 
-  /// Fires one shot. eyes [shot.eye_count], whose weights sum to 2^16.
+  /// Fires one shot. eyes [shot.eye_count], whose weights sum to kRowOne.
   void shoot(const RecordedShot& shot, const EyeSample* eyes);
 
   /// Form factors of the last shot; with `escaped` and `back` they sum to 1.

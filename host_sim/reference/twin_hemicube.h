@@ -25,7 +25,7 @@ class TwinHemicube {
   /// R as the core's tables: 8, 16, 32, 64 or 128. `scene` must outlive the object.
   TwinHemicube(const TwinScene& scene, int resolution, TwinEngine engine);
 
-  /// Adds the form factors from one eye point, sample.weight / 2^16 in all.
+  /// Adds the form factors from one eye point, sample.weight / kRowOne in all.
   void add(const EyeSample& sample, TwinFormFactors& row);
 
  private:

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host_sim/meshing/device_scene.h"
+#include "host_sim/meshing/surface_mesh.h"
+#include "host_sim/simulate/profile.h"
+#include "host_sim/simulate/simulated_device.h"
+
+namespace fixrad::host {
+
+/// What the user may choose; everything left out follows from the profile.
+struct BakeOptions {
+  std::string profile = "large";
+  std::string engine = "rows";      ///< rows | pixels
+  std::string solver = "shooting";  ///< shooting | gathering
+  std::optional<int> resolution;    ///< R
+  std::optional<std::uint32_t> elements;
+  double unshot = 0.001;          ///< stop fraction
+  double flux_per_eye = 0.005;    ///< one eye point for each such part of the emitted flux
+  std::optional<bool> overshoot;  ///< default: where every element shoots itself
+  bool ambient = false;           ///< add the ambient estimate of the rest to the result
+};
+
+/// How a scene is put into a profile's memory.
+struct BakePlan {
+  Profile profile;
+  int resolution = 0;
+  Meshing meshing;
+  Sizes sizes = {};
+  bool overshoot = false;
+  std::uint32_t matrix_bytes = 0;  ///< of `gathering`, 0 for `shooting`
+
+  std::uint32_t ram() const { return ram_bytes(profile, sizes) + matrix_bytes; }
+};
+
+/// Chooses elements, patches and pools. Throws InputError if the scene does not fit, with the bytes that it needs.
+BakePlan make_plan(const PreparedScene& scene, const BakeOptions& options);
+
+/// Called now and then; returns false to stop.
+using Progress = std::function<bool(std::uint32_t shots, double unshot_fraction, double seconds)>;
+
+/// A finished (or interrupted) solution and everything measured about it.
+struct BakeResult {
+  BakePlan plan;
+  DeviceScene device;
+  SurfaceMesh surface;
+  std::vector<glm::dvec3> element_radiosity;  ///< W/m^2, always three channels
+  std::vector<glm::dvec3> vertex_radiosity;   ///< [surface.positions]
+  std::vector<Ledger> ledger;                 ///< one a carried channel
+  std::uint32_t shots = 0, eyes = 0, withdrawn = 0, gaps_closed = 0, spans_used = 0;
+  double seconds = 0;  ///< of the solver alone
+  double unshot_fraction = 0;
+  std::uint64_t digest = 0;
+  bool is_closed = false;
+  bool interrupted = false;
+};
+
+/// Runs the integer core on `scene`. `observer` may watch the shots (the twin does). Throws InputError as make_plan, or if
+/// the core refuses the scene.
+BakeResult bake(const PreparedScene& scene, const BakeOptions& options, const Progress& progress = {},
+                const std::function<Observer(const State&)>& observer = {});
+
+/// The classical beginner's results, recognised: a line each, with what to do.
+std::vector<std::string> explain(const PreparedScene& scene, const BakeResult& result);
+
+/// The core's settings for these options.
+Settings make_settings(const BakeOptions& options, const BakePlan& plan);
+
+}  // namespace fixrad::host

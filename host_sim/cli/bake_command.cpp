@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iomanip>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "host_sim/cli/session.h"
+#include "host_sim/io/atomic_file.h"
+#include "host_sim/report/text.h"
+#include "host_sim/report/writers.h"
+
+namespace fixrad::host {
+namespace {
+
+std::string hex(std::uint64_t value) {
+  std::ostringstream text;
+  text << std::hex << std::setw(16) << std::setfill('0') << value;
+  return text.str();
+}
+
+nlohmann::ordered_json measured(const LoadedScene& scene, const CommonOptions& options, const BakeResult& result) {
+  nlohmann::ordered_json ledger = {{"unit_watts", result.device.unit_watts}};
+  const std::pair<const char*, std::int64_t Ledger::*> columns[] = {{"emitted", &Ledger::emitted},
+                                                                    {"absorbed", &Ledger::absorbed},
+                                                                    {"unshot", &Ledger::unshot},
+                                                                    {"escaped", &Ledger::escaped},
+                                                                    {"back", &Ledger::back}};
+  for (const auto& [name, member] : columns) {
+    ledger[name] = nlohmann::ordered_json::array();
+    for (const Ledger& l : result.ledger) {
+      ledger[name].push_back(l.*member);
+    }
+  }
+  return {{"scene", scene.model.path},
+          {"profile", options.bake.profile},
+          {"engine", options.bake.engine},
+          {"solver", options.bake.solver},
+          {"resolution", result.plan.resolution},
+          {"overshoot", result.plan.overshoot},
+          {"input_faces", scene.model.file_faces},
+          {"faces", result.plan.sizes.faces},
+          {"elements", result.plan.sizes.elements},
+          {"patches", result.plan.sizes.patches},
+          {"vertices", result.surface.positions.size()},
+          {"triangles", result.surface.triangles.size()},
+          {"channels", result.plan.sizes.channels},
+          {"closed", result.is_closed},
+          {"shots", result.shots},
+          {"eyes", result.eyes},
+          {"eyes_withdrawn", result.withdrawn},
+          {"seconds", result.seconds},
+          {"interrupted", result.interrupted},
+          {"ram_bytes", result.plan.ram()},
+          {"rom_bytes", result.device.rom_bytes()},
+          {"span_pool", result.plan.sizes.spans},
+          {"spans_used", result.spans_used},
+          {"gaps_closed", result.gaps_closed},
+          {"quantisation_error", scene.prepared.vertices.largest_error},
+          {"unshot_fraction", result.unshot_fraction},
+          {"digest", hex(result.digest)},
+          {"ledger", ledger}};
+}
+
+using Write = std::function<void(const std::filesystem::path&)>;
+
+Write writer_for(const std::filesystem::path& path, const BakedMesh& mesh, const Display& display, const std::string& json) {
+  const std::string suffix = path.extension().string();
+  const std::map<std::string, Write> writers = {
+      {".hpp", [&](const std::filesystem::path& p) { write_hpp(p, mesh, display); }},
+      {".glb", [&](const std::filesystem::path& p) { write_glb(p, mesh, display); }},
+      {".ply", [&](const std::filesystem::path& p) { write_ply(p, mesh, display); }},
+      {".png", [&](const std::filesystem::path& p) { write_png(p, mesh, display); }},
+      {".csv", [&](const std::filesystem::path& p) { write_csv(p, mesh, display); }},
+      {".json", [&](const std::filesystem::path& p) { write_text(p, json); }},
+  };
+  return writers.at(suffix);
+}
+
+std::string faces_csv(const Model& model, const std::vector<glm::dvec3>& means) {
+  const std::vector<double> areas = face_areas(model);
+  std::string text = "face,material,area,B_r,B_g,B_b\n";
+  for (std::size_t f = 0; f < means.size(); ++f) {
+    text += std::to_string(f) + "," + csv_field(model.materials[model.faces[f].material].name);
+    for (const double value : {areas[f], means[f].x, means[f].y, means[f].z}) {
+      text += ",";
+      append_number(text, value);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string summary(const BakeResult& result) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(3) << result.plan.sizes.elements << " elements, " << result.plan.sizes.patches
+       << " patches, " << result.shots << (result.plan.matrix_bytes > 0 ? " sweeps, " : " shots, ") << 100 * result.unshot_fraction
+       << " % unshot, " << result.seconds << " s, " << result.plan.ram() << " bytes of RAM, digest " << hex(result.digest);
+  return text.str();
+}
+
+}  // namespace
+
+int run_bake(const CommonOptions& options) {
+  const auto scene = load_scene(options);
+  BakeResult result;
+  {
+    ProgressBar bar(options);
+    result = bake(scene->prepared, options.bake,
+                  [&](std::uint32_t shots, double unshot, double seconds) { return bar.update(shots, unshot, seconds); });
+  }
+  for (const std::string& line : explain(scene->prepared, result)) {
+    say(options, line);
+  }
+  say(options, summary(result));
+  if (result.interrupted && !options.keep_partial) {
+    say(options, "interrupted: nothing written; --keep-partial keeps the solution so far");
+    return kInterrupted;
+  }
+  const BakedMesh mesh = make_baked_mesh(*scene, result);
+  const std::string json = measured(*scene, options, result).dump(2) + "\n";
+  for (const std::string& output : options.outputs) {
+    writer_for(output, mesh, options.display, json)(output);
+    say(options, "wrote " + output);
+  }
+  if (!options.faces_csv.empty()) {
+    write_text(options.faces_csv,
+               faces_csv(scene->model, file_face_means(scene->model, result.device.overlaps, result.element_radiosity)));
+    say(options, "wrote " + options.faces_csv);
+  }
+  if (result.interrupted) {
+    say(options, "interrupted: this is the solution so far");
+    return kInterrupted;
+  }
+  return kDone;
+}
+
+}  // namespace fixrad::host

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host_sim/bake/bake.h"
+#include "host_sim/io/obj_reader.h"
+#include "host_sim/report/baked_mesh.h"
+
+namespace fixrad::host {
+
+/// Exit codes that other programs rely on.
+enum ExitCode { kDone = 0, kBadInput = 1, kUsage = 2, kInterrupted = 130 };
+
+/// What every subcommand takes.
+struct CommonOptions {
+  std::string scene;
+  ReadOptions read;
+  BakeOptions bake;
+  Display display;
+  bool quiet = false;
+  bool keep_partial = false;
+  std::vector<std::string> outputs;
+  std::string faces_csv;
+  std::string json;
+  std::string csv;
+};
+
+/// Adds the scene argument and the options on reading it.
+void add_scene_options(CLI::App& command, CommonOptions& options);
+
+/// Adds the options that choose a solution.
+void add_solver_options(CLI::App& command, CommonOptions& options);
+
+/// Adds --quiet.
+void add_quiet(CLI::App& command, CommonOptions& options);
+
+/// The subcommands; each returns an ExitCode and throws InputError.
+int run_bake(const CommonOptions& options);
+int run_compare(const CommonOptions& options);
+int run_form_factors(const CommonOptions& options);
+int run_info(const CommonOptions& options);
+
+}  // namespace fixrad::host

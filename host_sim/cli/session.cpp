@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "host_sim/cli/session.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+
+namespace fixrad::host {
+namespace {
+
+std::atomic<bool> interrupted{false};
+
+void on_interrupt(int) { interrupted = true; }
+
+double brightness(glm::dvec3 b) { return b.x + b.y + b.z; }
+
+}  // namespace
+
+void catch_interrupt() {
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+}
+
+bool is_interrupted() { return interrupted; }
+
+void say(const CommonOptions& options, const std::string& line) {
+  if (!options.quiet) {
+    std::cerr << line << '\n';
+  }
+}
+
+std::unique_ptr<LoadedScene> load_scene(const CommonOptions& options) {
+  auto scene = std::make_unique<LoadedScene>();
+  scene->model = read_obj(options.scene, options.read);
+  for (const std::string& warning : scene->model.warnings) {
+    say(options, warning);
+  }
+  scene->prepared = prepare(scene->model);
+  for (const std::string& warning : scene->prepared.warnings) {
+    say(options, warning);
+  }
+  return scene;
+}
+
+ProgressBar::ProgressBar(const CommonOptions& options)
+    : stop_(options.bake.unshot), visible_(!options.quiet && isatty(STDERR_FILENO) != 0) {}
+
+ProgressBar::~ProgressBar() {
+  if (drawn_) {
+    std::fputs("\r\033[K", stderr);
+  }
+}
+
+// The unshot flux falls roughly like a geometric series, so its logarithm tells how much of the way is done.
+bool ProgressBar::update(std::uint32_t shots, double unshot_fraction, double seconds) {
+  if (visible_) {
+    const double done = unshot_fraction > 0 ? std::clamp(std::log(unshot_fraction) / std::log(stop_), 0.0, 1.0) : 1.0;
+    const double left = done > 0.02 ? seconds * (1 - done) / done : 0;
+    constexpr int kWidth = 30;
+    const int filled = static_cast<int>(done * kWidth);
+    const std::string bar = std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(kWidth - filled), '.');
+    std::fprintf(stderr, "\r[%s] %u shots, %.3f %% unshot, %.0f s left \033[K", bar.c_str(), shots, 100 * unshot_fraction, left);
+    drawn_ = true;
+  }
+  return !interrupted;
+}
+
+BakedMesh make_baked_mesh(const LoadedScene& scene, const BakeResult& result) {
+  BakedMesh mesh;
+  mesh.name = std::filesystem::path(scene.model.path).stem().string();
+  mesh.positions = result.surface.positions;
+  mesh.normals = result.surface.normals;
+  mesh.radiosity = result.vertex_radiosity;
+  mesh.triangles = result.surface.triangles;
+  for (std::uint32_t e = 0; e < result.device.mesh.elements.size(); ++e) {
+    const MeshElement& element = result.device.mesh.elements[e];
+    BakedElement baked;
+    baked.index = e;
+    baked.input_face = element.input_face % static_cast<std::uint32_t>(scene.model.file_faces);
+    baked.material = scene.model.materials[scene.model.faces[element.input_face].material].name;
+    baked.centroid = element.centroid;
+    baked.area = element.area;
+    baked.radiosity = result.element_radiosity[e];
+    baked.lamp = element.emission != glm::dvec3(0.0);
+    mesh.elements.push_back(baked);
+  }
+  return mesh;
+}
+
+std::vector<glm::dvec3> file_face_means(const Model& model, const std::vector<Overlap>& overlaps,
+                                        const std::vector<glm::dvec3>& element_radiosity) {
+  std::vector<glm::dvec3> means = face_means(model, overlaps, element_radiosity);
+  for (std::size_t f = model.file_faces; f < means.size(); ++f) {
+    glm::dvec3& front = means[f - model.file_faces];
+    front = brightness(means[f]) > brightness(front) ? means[f] : front;
+  }
+  means.resize(model.file_faces);
+  return means;
+}
+
+}  // namespace fixrad::host

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "host_sim/reference/error_budget.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fixrad::host {
+namespace {
+
+double sum(glm::dvec3 a) { return a.x + a.y + a.z; }
+
+double distance(glm::dvec3 a, glm::dvec3 b) { return std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z); }
+
+}  // namespace
+
+FaceMeanError compare_face_means(const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>& b,
+                                 const std::vector<double>& areas, const std::vector<bool>& emits) {
+  double error = 0, light = 0, area = 0;
+  for (std::size_t f = 0; f < b.size(); ++f) {
+    if (!emits[f]) {
+      error += areas[f] * distance(a[f], b[f]);
+      light += areas[f] * sum(b[f]);
+      area += areas[f];
+    }
+  }
+  FaceMeanError result;
+  if (light <= 0) {
+    return result;
+  }
+  result.mean = error / light;
+  for (std::size_t f = 0; f < b.size(); ++f) {
+    if (!emits[f] && areas[f] > 0 && sum(b[f]) >= 0.1 * light / area) {
+      result.worst = std::max(result.worst, distance(a[f], b[f]) / sum(b[f]));
+    }
+  }
+  return result;
+}
+
+}  // namespace fixrad::host
