@@ -39,11 +39,11 @@ struct Sizes {
   uint32_t vertices, faces, elements, patches, spans, channels, pixel_resolution;
 };
 
-/// Bytes of a solver's arrays; equal on every target. A further element costs 4 channels + 2 bytes.
+/// Bytes of a solver's arrays; equal on every target. A further element costs 4 channels + 4 bytes.
 constexpr uint32_t pool_bytes(const Sizes& s) {
   return s.vertices * static_cast<uint32_t>(sizeof(Direction)) +
          s.faces * static_cast<uint32_t>(sizeof(FaceView)) + s.spans * static_cast<uint32_t>(sizeof(Span)) +
-         s.elements * (4 * s.channels + 2) + s.patches * (4 * s.channels + 1) +
+         s.elements * (4 * s.channels + 4) + s.patches * (4 * s.channels + 1) +
          s.pixel_resolution * s.pixel_resolution * static_cast<uint32_t>(sizeof(Item));
 }
 
@@ -102,7 +102,7 @@ class Solver {
   Direction directions_[L::vertices];
   Span spans_[L::spans];
   Item items_[item_count > 0 ? item_count : 1];
-  uint16_t share_[L::elements];
+  uint32_t share_[L::elements];
   Centroid centroid_[L::patches];
 };
 

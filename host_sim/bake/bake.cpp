@@ -12,7 +12,9 @@ constexpr int kMostSweeps = 100000;
 
 class Clock {
  public:
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
@@ -91,8 +93,8 @@ void read_out(const State& state, bool with_ambient, BakeResult& result) {
   }
   const VertexMap map = result.surface.map();
   for (std::uint32_t v = 0; v < map.vertex_count; ++v) {
-    result.vertex_radiosity.push_back(
-        three_channels(channels, unit, [&](int c) { return vertex_radiosity(state, map, v, c, ambient[c]); }));
+    result.vertex_radiosity.push_back(three_channels(
+        channels, unit, [&](int c) { return vertex_radiosity(state, map, v, c, ambient[c]); }));
   }
   result.digest = digest(state, map);
   result.shots = state.shots;
@@ -123,10 +125,12 @@ BakeResult bake(const PreparedScene& scene, const BakeOptions& options, const Pr
   }
   Reporter reporter(progress);
   const Clock clock;
-  status = options.solver == "gathering" ? run_gathering(device.state(), reporter) : run_shooting(device.state(), reporter);
+  status = options.solver == "gathering" ? run_gathering(device.state(), reporter)
+                                         : run_shooting(device.state(), reporter);
   result.seconds = clock.seconds();
   if (status == Status::span_pool_full) {
-    throw InputError(scene.model->path + ": error: " + describe(status) + " (" + std::to_string(result.plan.sizes.spans) +
+    throw InputError(scene.model->path + ": error: " + describe(status) + " (" +
+                     std::to_string(result.plan.sizes.spans) +
                      "); its faces pierce each other too often: let none cross another");
   }
   result.interrupted = status == Status::ok;

@@ -40,7 +40,8 @@ struct BakePlan {
   std::uint32_t ram() const { return ram_bytes(profile, sizes) + matrix_bytes; }
 };
 
-/// Chooses elements, patches and pools. Throws InputError if the scene does not fit, with the bytes that it needs.
+/// Chooses elements, patches and pools. Throws InputError if the scene does not fit, with the bytes that it
+/// needs.
 BakePlan make_plan(const PreparedScene& scene, const BakeOptions& options);
 
 /// Called now and then; returns false to stop.
@@ -62,8 +63,8 @@ struct BakeResult {
   bool interrupted = false;
 };
 
-/// Runs the integer core on `scene`. `observer` may watch the shots (the twin does). Throws InputError as make_plan, or if
-/// the core refuses the scene.
+/// Runs the integer core on `scene`. `observer` may watch the shots (the twin does). Throws InputError as
+/// make_plan, or if the core refuses the scene.
 BakeResult bake(const PreparedScene& scene, const BakeOptions& options, const Progress& progress = {},
                 const std::function<Observer(const State&)>& observer = {});
 

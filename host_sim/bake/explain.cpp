@@ -9,8 +9,8 @@
 namespace fixrad::host {
 namespace {
 
-constexpr double kBlack = 0.02;      // of the emitted flux absorbed: nothing to see
-constexpr double kMuchBack = 0.15;   // of the emitted flux on back faces
+constexpr double kBlack = 0.02;     // of the emitted flux absorbed: nothing to see
+constexpr double kMuchBack = 0.15;  // of the emitted flux on back faces
 constexpr double kMuchEscaped = 0.02;
 
 struct Shares {
@@ -83,7 +83,8 @@ std::vector<std::string> buried_lamps(const PreparedScene& scene, const BakeResu
   for (const auto& [line, count] : by_line) {
     if (2 * count.first > count.second) {
       lines.push_back(scene.model->path + ":" + std::to_string(line) +
-                      ": warning: this lamp faces into a body or the back of a wall, its light cannot get out; move it out or "
+                      ": warning: this lamp faces into a body or the back of a wall, its light cannot get "
+                      "out; move it out or "
                       "turn its normal");
     }
   }
@@ -99,16 +100,19 @@ std::vector<std::string> explain(const PreparedScene& scene, const BakeResult& r
   std::uint32_t example = 0;
   const auto [open, edges] = open_edges(scene, example);
   if (s.absorbed < kBlack) {
-    lines.push_back(start + "almost everything is black: " + percent(s.escaped) + " of the light escapes and " + percent(s.back) +
+    lines.push_back(start + "almost everything is black: " + percent(s.escaped) +
+                    " of the light escapes and " + percent(s.back) +
                     " meets back faces; normals probably point outward, try --flip or --two-sided");
   } else if (s.back > kMuchBack) {
-    lines.push_back(start + percent(s.back) +
-                    " of the light meets back faces, which are black; turn those faces round, or try --two-sided");
+    lines.push_back(
+        start + percent(s.back) +
+        " of the light meets back faces, which are black; turn those faces round, or try --two-sided");
   }
   if (s.absorbed >= kBlack && s.escaped > kMuchEscaped && open > 0 && open * 10 < edges) {
-    lines.push_back(scene.model->path + ":" + std::to_string(line_of(scene, example)) + ": warning: " + percent(s.escaped) +
-                    " of the light escapes through holes; " + std::to_string(open) +
-                    " edges belong to one face only, one of this face among them; close them if the room should be closed");
+    lines.push_back(scene.model->path + ":" + std::to_string(line_of(scene, example)) + ": warning: " +
+                    percent(s.escaped) + " of the light escapes through holes; " + std::to_string(open) +
+                    " edges belong to one face only, one of this face among them; close them if the room "
+                    "should be closed");
   }
   return lines;
 }

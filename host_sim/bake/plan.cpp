@@ -8,7 +8,7 @@ namespace fixrad::host {
 namespace {
 
 constexpr std::uint32_t kMostElements = 60000;  // the core numbers them in 16 bits
-constexpr std::uint32_t kPiercing = 8;          // spans beyond twice the faces, for faces that pierce each other
+constexpr std::uint32_t kPiercing = 8;  // spans beyond twice the faces, for faces that pierce each other
 
 // Elements that a profile's accuracy needs: its own number, and several a face where there are many faces.
 std::uint32_t default_elements(const Profile& profile, std::uint32_t faces) {
@@ -16,22 +16,22 @@ std::uint32_t default_elements(const Profile& profile, std::uint32_t faces) {
   return std::min(kMostElements, std::max(profile.elements, faces * (is_large ? 4u : 6u)));
 }
 
-// Small profiles group elements for shooting: a further element then costs its own bytes and an eighth of a patch.
+// Small profiles group elements for shooting, into as many patches however many elements there are: a further
+// element then costs its own bytes alone.
 std::uint32_t wanted_patches(const Profile& profile, std::uint32_t faces, std::uint32_t elements) {
-  if (profile.patches == profile.elements) {
-    return elements;
-  }
-  const std::uint32_t beyond = elements > profile.elements ? elements - profile.elements : 0;
-  return std::min(elements, std::max(profile.patches + beyond / 8, faces * 5 / 2));
+  const bool shoots_itself = profile.patches == profile.elements;
+  return shoots_itself ? elements : std::min(elements, std::max(profile.patches, faces * 5 / 2));
 }
 
-BakePlan plan_for(const PreparedScene& scene, const BakeOptions& options, const Profile& profile, std::uint32_t elements) {
+BakePlan plan_for(const PreparedScene& scene, const BakeOptions& options, const Profile& profile,
+                  std::uint32_t elements) {
   const auto faces = static_cast<std::uint32_t>(scene.faces.size());
   const bool is_gathering = options.solver == "gathering";
   BakePlan plan;
   plan.profile = profile;
   plan.resolution = options.resolution.value_or(profile.resolution);
-  plan.meshing = make_uniform(scene, elements, is_gathering ? elements : wanted_patches(profile, faces, elements));
+  plan.meshing =
+      make_uniform(scene, elements, is_gathering ? elements : wanted_patches(profile, faces, elements));
   const auto channels = static_cast<std::uint32_t>(scene.channels);
   const std::uint32_t n = plan.meshing.element_count;
   plan.sizes = {static_cast<std::uint32_t>(scene.vertices.positions.size()),
@@ -47,9 +47,10 @@ BakePlan plan_for(const PreparedScene& scene, const BakeOptions& options, const 
 }
 
 std::string does_not_fit(const PreparedScene& scene, const BakePlan& plan) {
-  return scene.model->path + ": error: the scene does not fit profile " + plan.profile.name + ": with one element on each of its " +
-         std::to_string(plan.sizes.faces) + " faces it needs " + std::to_string(plan.ram()) + " bytes of " +
-         std::to_string(plan.profile.ram_bytes) + "; use a larger --profile or a simpler scene";
+  return scene.model->path + ": error: the scene does not fit profile " + plan.profile.name +
+         ": with one element on each of its " + std::to_string(plan.sizes.faces) + " faces it needs " +
+         std::to_string(plan.ram()) + " bytes of " + std::to_string(plan.profile.ram_bytes) +
+         "; use a larger --profile or a simpler scene";
 }
 
 }  // namespace
@@ -57,15 +58,16 @@ std::string does_not_fit(const PreparedScene& scene, const BakePlan& plan) {
 BakePlan make_plan(const PreparedScene& scene, const BakeOptions& options) {
   const Profile profile = find_profile(options.profile).value();
   const auto faces = static_cast<std::uint32_t>(scene.faces.size());
-  std::uint32_t elements = std::min(kMostElements, options.elements.value_or(default_elements(profile, faces)));
+  std::uint32_t elements =
+      std::min(kMostElements, options.elements.value_or(default_elements(profile, faces)));
   for (;;) {
     BakePlan plan = plan_for(scene, options, profile, elements);
     if (options.elements && plan.sizes.elements > std::max(elements, faces)) {
       throw InputError(scene.model->path + ": error: more elements than faces are needed; raise --elements");
     }
     if (plan.sizes.elements > kMostElements) {
-      throw InputError(scene.model->path + ": error: the scene has more than " + std::to_string(kMostElements) +
-                       " faces; simplify it");
+      throw InputError(scene.model->path + ": error: the scene has more than " +
+                       std::to_string(kMostElements) + " faces; simplify it");
     }
     if (plan.ram() <= profile.ram_bytes) {
       return plan;

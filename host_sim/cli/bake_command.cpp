@@ -22,7 +22,8 @@ std::string hex(std::uint64_t value) {
   return text.str();
 }
 
-nlohmann::ordered_json measured(const LoadedScene& scene, const CommonOptions& options, const BakeResult& result) {
+nlohmann::ordered_json measured(const LoadedScene& scene, const CommonOptions& options,
+                                const BakeResult& result) {
   nlohmann::ordered_json ledger = {{"unit_watts", result.device.unit_watts}};
   const std::pair<const char*, std::int64_t Ledger::*> columns[] = {{"emitted", &Ledger::emitted},
                                                                     {"absorbed", &Ledger::absorbed},
@@ -67,7 +68,8 @@ nlohmann::ordered_json measured(const LoadedScene& scene, const CommonOptions& o
 
 using Write = std::function<void(const std::filesystem::path&)>;
 
-Write writer_for(const std::filesystem::path& path, const BakedMesh& mesh, const Display& display, const std::string& json) {
+Write writer_for(const std::filesystem::path& path, const BakedMesh& mesh, const Display& display,
+                 const std::string& json) {
   const std::string suffix = path.extension().string();
   const std::map<std::string, Write> writers = {
       {".hpp", [&](const std::filesystem::path& p) { write_hpp(p, mesh, display); }},
@@ -96,9 +98,11 @@ std::string faces_csv(const Model& model, const std::vector<glm::dvec3>& means) 
 
 std::string summary(const BakeResult& result) {
   std::ostringstream text;
-  text << std::fixed << std::setprecision(3) << result.plan.sizes.elements << " elements, " << result.plan.sizes.patches
-       << " patches, " << result.shots << (result.plan.matrix_bytes > 0 ? " sweeps, " : " shots, ") << 100 * result.unshot_fraction
-       << " % unshot, " << result.seconds << " s, " << result.plan.ram() << " bytes of RAM, digest " << hex(result.digest);
+  text << std::fixed << std::setprecision(3) << result.plan.sizes.elements << " elements, "
+       << result.plan.sizes.patches << " patches, " << result.shots
+       << (result.plan.matrix_bytes > 0 ? " sweeps, " : " shots, ") << 100 * result.unshot_fraction
+       << " % unshot, " << result.seconds << " s, " << result.plan.ram() << " bytes of RAM, digest "
+       << hex(result.digest);
   return text.str();
 }
 
@@ -109,8 +113,9 @@ int run_bake(const CommonOptions& options) {
   BakeResult result;
   {
     ProgressBar bar(options);
-    result = bake(scene->prepared, options.bake,
-                  [&](std::uint32_t shots, double unshot, double seconds) { return bar.update(shots, unshot, seconds); });
+    result = bake(scene->prepared, options.bake, [&](std::uint32_t shots, double unshot, double seconds) {
+      return bar.update(shots, unshot, seconds);
+    });
   }
   for (const std::string& line : explain(scene->prepared, result)) {
     say(options, line);
@@ -128,7 +133,8 @@ int run_bake(const CommonOptions& options) {
   }
   if (!options.faces_csv.empty()) {
     write_text(options.faces_csv,
-               faces_csv(scene->model, file_face_means(scene->model, result.device.overlaps, result.element_radiosity)));
+               faces_csv(scene->model,
+                         file_face_means(scene->model, result.device.overlaps, result.element_radiosity)));
     say(options, "wrote " + options.faces_csv);
   }
   if (result.interrupted) {

@@ -27,9 +27,11 @@ struct Truth {
   double seconds = 0;
 };
 
-Truth trace_truth(const LoadedScene& scene, const std::vector<double>& areas, const std::vector<bool>& emits) {
+Truth trace_truth(const LoadedScene& scene, const std::vector<double>& areas,
+                  const std::vector<bool>& emits) {
   const auto start = std::chrono::steady_clock::now();
-  const DeviceScene device = make_device_scene(scene.prepared, make_uniform(scene.prepared, kTruthElements, kTruthElements));
+  const DeviceScene device =
+      make_device_scene(scene.prepared, make_uniform(scene.prepared, kTruthElements, kTruthElements));
   PathTracingOptions options;
   options.paths_per_element = std::max(64u, kPaths / static_cast<std::uint32_t>(device.elements.size()));
   const PathTracedRadiosity traced = path_traced_radiosity(device.mesh, options);
@@ -51,16 +53,23 @@ struct Line {
   double mean, worst, seconds;
 };
 
-void print(const LoadedScene& scene, const BakeResult& result, const Truth& truth, const std::vector<Line>& lines) {
-  std::printf("error budget of %s, profile %s, %u elements, R = %d, %.3g %% unshot\n", scene.model.path.c_str(),
-              result.plan.profile.name.c_str(), result.plan.sizes.elements, result.plan.resolution, 100 * result.unshot_fraction);
+void print(const LoadedScene& scene, const BakeResult& result, const Truth& truth,
+           const std::vector<Line>& lines) {
+  std::printf("error budget of %s, profile %s, %u elements, R = %d, %.3g %% unshot\n",
+              scene.model.path.c_str(), result.plan.profile.name.c_str(), result.plan.sizes.elements,
+              result.plan.resolution, 100 * result.unshot_fraction);
   std::printf("  %-13s %-64s %8s %8s %9s\n", "error", "of what against what", "mean %", "worst %", "seconds");
   for (const Line& line : lines) {
-    std::printf("  %-13s %-64s %8.3f %8.2f %9.3f\n", line.name, line.what, 100 * line.mean, 100 * line.worst, line.seconds);
+    std::printf("  %-13s %-64s %8.3f %8.2f %9.3f\n", line.name, line.what, 100 * line.mean, 100 * line.worst,
+                line.seconds);
   }
-  std::printf("  arithmetic: element radiosity over the scene's mean. Others: means of faces that do not emit, weighted by area;\n");
-  std::printf("  worst: of the faces with at least a tenth of the mean radiosity. Truth: path traced, standard error %.3f %%.\n",
-              100 * truth.standard_error);
+  std::printf(
+      "  arithmetic: element radiosity over the scene's mean. Others: means of faces that do not emit, "
+      "weighted by area;\n");
+  std::printf(
+      "  worst: of the faces with at least a tenth of the mean radiosity. Truth: path traced, standard error "
+      "%.3f %%.\n",
+      100 * truth.standard_error);
 }
 
 nlohmann::ordered_json to_json(const BakeResult& result, const Truth& truth, const std::vector<Line>& lines) {
@@ -69,7 +78,11 @@ nlohmann::ordered_json to_json(const BakeResult& result, const Truth& truth, con
                                  {"elements", result.plan.sizes.elements},
                                  {"truth_standard_error", truth.standard_error}};
   for (const Line& line : lines) {
-    json["errors"].push_back({{"name", line.name}, {"what", line.what}, {"mean", line.mean}, {"worst", line.worst}, {"seconds", line.seconds}});
+    json["errors"].push_back({{"name", line.name},
+                              {"what", line.what},
+                              {"mean", line.mean},
+                              {"worst", line.worst},
+                              {"seconds", line.seconds}});
   }
   return json;
 }
@@ -90,7 +103,9 @@ int run_compare(const CommonOptions& options) {
   BakeResult result;
   {
     ProgressBar bar(options);
-    const auto progress = [&](std::uint32_t shots, double unshot, double s) { return bar.update(shots, unshot, s); };
+    const auto progress = [&](std::uint32_t shots, double unshot, double s) {
+      return bar.update(shots, unshot, s);
+    };
     result = bake(scene->prepared, options.bake, progress, start_recorder);
   }
   if (result.interrupted) {
@@ -108,7 +123,8 @@ int run_compare(const CommonOptions& options) {
   for (const MeshElement& e : device.mesh.elements) {
     element_areas.push_back(e.area);
   }
-  const ArithmeticError arithmetic = compare_arithmetic(result.element_radiosity, twin_radiosity, element_areas);
+  const ArithmeticError arithmetic =
+      compare_arithmetic(result.element_radiosity, twin_radiosity, element_areas);
 
   start = std::chrono::steady_clock::now();
   const std::vector<glm::dvec3> reference = solve_radiosity(device.mesh, form_factors(device.mesh));
@@ -126,7 +142,8 @@ int run_compare(const CommonOptions& options) {
   const FaceMeanError total = compare_face_means(means(result.element_radiosity), truth.means, areas, emits);
   const std::vector<Line> lines = {
       {"arithmetic", "fixed point / the same shots in double", arithmetic.mean, arithmetic.max, twin_seconds},
-      {"form factors", "those shots in double / accurate form factors, same mesh", factors.mean, factors.worst, reference_seconds},
+      {"form factors", "those shots in double / accurate form factors, same mesh", factors.mean,
+       factors.worst, reference_seconds},
       {"mesh", "accurate form factors on this mesh / truth", mesh.mean, mesh.worst, truth.seconds},
       {"total", "fixed point / truth", total.mean, total.worst, result.seconds}};
   print(*scene, result, truth, lines);

@@ -14,7 +14,8 @@ constexpr std::uint32_t kEyes = 4;  // an element
 
 using Matrix = std::vector<std::vector<double>>;
 
-// Mean over the elements of each input face of their rows, the receivers' shares divided among the faces that they lie on.
+// Mean over the elements of each input face of their rows, the receivers' shares divided among the faces that
+// they lie on.
 Matrix face_factors(const LoadedScene& scene, const BakeResult& solution_frame, State& state) {
   const std::size_t faces = scene.model.file_faces;
   const DeviceScene& device = solution_frame.device;
@@ -31,7 +32,8 @@ Matrix face_factors(const LoadedScene& scene, const BakeResult& solution_frame, 
   for (std::uint16_t e = 0; e < device.elements.size() && !is_interrupted(); ++e) {
     Centroid centroid = Centroid::unknown;
     if (sample_source(state, element_source(state.scene, e), kEyes, centroid) != Status::ok) {
-      throw InputError(scene.model.path + ": error: a row shows more spans than the pool holds; let no faces pierce each other");
+      throw InputError(scene.model.path +
+                       ": error: a row shows more spans than the pool holds; let no faces pierce each other");
     }
     std::fill(row.begin(), row.end(), 0.0);
     for (std::size_t k = 0; k < device.elements.size(); ++k) {
@@ -56,7 +58,8 @@ int run_form_factors(const CommonOptions& options) {
   BakeOptions choice = options.bake;
   choice.profile = "host";
   choice.resolution = options.bake.resolution.value_or(kResolution);
-  choice.elements = options.bake.elements.value_or(std::max(kElements, 2 * static_cast<std::uint32_t>(scene->prepared.faces.size())));
+  choice.elements = options.bake.elements.value_or(
+      std::max(kElements, 2 * static_cast<std::uint32_t>(scene->prepared.faces.size())));
   BakeResult frame;
   frame.plan = make_plan(scene->prepared, choice);
   frame.device = make_device_scene(scene->prepared, frame.plan.meshing);

@@ -26,7 +26,8 @@ int run(int argc, char** argv) {
   CommonOptions options;
   add_quiet(app, options);
 
-  CLI::App* bake = app.add_subcommand("bake", "Solve a scene with the fixed-point core and write its lighting");
+  CLI::App* bake =
+      app.add_subcommand("bake", "Solve a scene with the fixed-point core and write its lighting");
   add_scene_options(*bake, options);
   add_solver_options(*bake, options);
   bake->add_option("-o,--output", options.outputs, "File to write, by its suffix; may be given several times")
@@ -36,7 +37,8 @@ int run(int argc, char** argv) {
   bake->add_option("--faces-csv", options.faces_csv, "Mean radiosity of every input face, in file order");
   bake->add_flag("--keep-partial", options.keep_partial, "When interrupted, write the solution so far");
 
-  CLI::App* compare = app.add_subcommand("compare", "Print the error budget: arithmetic, form factors, mesh, total");
+  CLI::App* compare =
+      app.add_subcommand("compare", "Print the error budget: arithmetic, form factors, mesh, total");
   add_scene_options(*compare, options);
   add_solver_options(*compare, options);
   compare->add_option("--json", options.json, "Write the figures to this file too");

@@ -10,7 +10,8 @@ CLI::Validator finite() {
   return CLI::Validator(
       [](std::string& text) {
         double value = 0;
-        return CLI::detail::lexical_cast(text, value) && std::isfinite(value) ? std::string() : "a finite number is needed";
+        return CLI::detail::lexical_cast(text, value) && std::isfinite(value) ? std::string()
+                                                                              : "a finite number is needed";
       },
       "NUMBER", "finite");
 }
@@ -20,8 +21,10 @@ CLI::Validator below_one(bool zero_allowed) {
   return CLI::Validator(
       [zero_allowed](std::string& text) {
         double value = -1;
-        const bool ok = CLI::detail::lexical_cast(text, value) && value < 1 && (value > 0 || (zero_allowed && value == 0));
-        return ok ? std::string() : std::string("a number ") + (zero_allowed ? ">= 0" : "> 0") + " and < 1 is needed";
+        const bool ok = CLI::detail::lexical_cast(text, value) && value < 1 &&
+                        (value > 0 || (zero_allowed && value == 0));
+        return ok ? std::string()
+                  : std::string("a number ") + (zero_allowed ? ">= 0" : "> 0") + " and < 1 is needed";
       },
       "FRACTION", "below one");
 }
@@ -36,12 +39,16 @@ void add_scene_options(CLI::App& command, CommonOptions& options) {
   command.add_option("SCENE", options.scene, "Wavefront OBJ file with its MTL")->required();
   command.add_flag("--two-sided", options.read.two_sided, "Light both sides of every face");
   command.add_flag("--flip", options.read.flip, "Turn every face round");
-  command.add_option("--max-reflectance", options.read.max_reflectance, "Clamp reflectances to this")->check(below_one(true));
-  command.add_option("--exposure", options.display.exposure_ev, "Stops brighter (or darker, below 0) than the automatic exposure")
+  command.add_option("--max-reflectance", options.read.max_reflectance, "Clamp reflectances to this")
+      ->check(below_one(true));
+  command
+      .add_option("--exposure", options.display.exposure_ev,
+                  "Stops brighter (or darker, below 0) than the automatic exposure")
       ->check(finite());
   command
       .add_option_function<std::string>(
-          "--up", [&options](const std::string& axis) { options.display.z_up = axis == "z"; }, "Axis that points up")
+          "--up", [&options](const std::string& axis) { options.display.z_up = axis == "z"; },
+          "Axis that points up")
       ->check(CLI::IsMember({"y", "z"}))
       ->default_str("y");
   add_quiet(command, options);
@@ -49,22 +56,31 @@ void add_scene_options(CLI::App& command, CommonOptions& options) {
 
 void add_solver_options(CLI::App& command, CommonOptions& options) {
   BakeOptions& bake = options.bake;
-  command.add_option("--profile", bake.profile, "Memory that the solver may take: 6 KB, 13 KB, 60 KB, 480 KB, 64 MB")
+  command
+      .add_option("--profile", bake.profile,
+                  "Memory that the solver may take: 6 KB, 13 KB, 60 KB, 480 KB, 64 MB")
       ->check(CLI::IsMember({"tiny", "small", "medium", "large", "host"}))
       ->capture_default_str();
-  command.add_option("--engine", bake.engine, "Form factors by")->check(CLI::IsMember({"pixels", "rows"}))->capture_default_str();
+  command.add_option("--engine", bake.engine, "Form factors by")
+      ->check(CLI::IsMember({"pixels", "rows"}))
+      ->capture_default_str();
   command.add_option("--solver", bake.solver, "Progressive shooting, or gathering with the full matrix")
       ->check(CLI::IsMember({"shooting", "gathering"}))
       ->capture_default_str();
-  command.add_option("--resolution", bake.resolution, "R, pixels along an edge of the hemicube")->check(CLI::IsMember({8, 16, 32, 64, 128}));
+  command.add_option("--resolution", bake.resolution, "R, pixels along an edge of the hemicube")
+      ->check(CLI::IsMember({8, 16, 32, 64, 128}));
   command.add_option("--elements", bake.elements, "At most so many elements")->check(CLI::Range(1u, 60000u));
-  command.add_option("--unshot", bake.unshot, "Stop when the unshot flux is under this part of the emitted flux")
+  command
+      .add_option("--unshot", bake.unshot, "Stop when the unshot flux is under this part of the emitted flux")
       ->check(below_one(false))
       ->capture_default_str();
-  command.add_option("--flux-per-eye", bake.flux_per_eye, "One eye point for each such part of the emitted flux")
+  command
+      .add_option("--flux-per-eye", bake.flux_per_eye, "One eye point for each such part of the emitted flux")
       ->check(below_one(false))
       ->capture_default_str();
-  command.add_flag("--overshoot,!--no-overshoot", bake.overshoot, "Also shoot what the ambient estimate promises");
+  const auto choose = [&bake](bool overshoot) { return [&bake, overshoot] { bake.overshoot = overshoot; }; };
+  command.add_flag_callback("--overshoot", choose(true), "Also shoot what the ambient estimate promises");
+  command.add_flag_callback("--no-overshoot", choose(false), "Shoot unshot flux only");
   command.add_flag("--ambient", bake.ambient, "Add the ambient estimate of the unshot rest to the result");
 }
 

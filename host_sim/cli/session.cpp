@@ -16,9 +16,13 @@ namespace {
 
 std::atomic<bool> interrupted{false};
 
-void on_interrupt(int) { interrupted = true; }
+void on_interrupt(int) {
+  interrupted = true;
+}
 
-double brightness(glm::dvec3 b) { return b.x + b.y + b.z; }
+double brightness(glm::dvec3 b) {
+  return b.x + b.y + b.z;
+}
 
 }  // namespace
 
@@ -27,7 +31,9 @@ void catch_interrupt() {
   std::signal(SIGTERM, on_interrupt);
 }
 
-bool is_interrupted() { return interrupted; }
+bool is_interrupted() {
+  return interrupted;
+}
 
 void say(const CommonOptions& options, const std::string& line) {
   if (!options.quiet) {
@@ -60,12 +66,15 @@ ProgressBar::~ProgressBar() {
 // The unshot flux falls roughly like a geometric series, so its logarithm tells how much of the way is done.
 bool ProgressBar::update(std::uint32_t shots, double unshot_fraction, double seconds) {
   if (visible_) {
-    const double done = unshot_fraction > 0 ? std::clamp(std::log(unshot_fraction) / std::log(stop_), 0.0, 1.0) : 1.0;
+    const double done =
+        unshot_fraction > 0 ? std::clamp(std::log(unshot_fraction) / std::log(stop_), 0.0, 1.0) : 1.0;
     const double left = done > 0.02 ? seconds * (1 - done) / done : 0;
     constexpr int kWidth = 30;
     const int filled = static_cast<int>(done * kWidth);
-    const std::string bar = std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(kWidth - filled), '.');
-    std::fprintf(stderr, "\r[%s] %u shots, %.3f %% unshot, %.0f s left \033[K", bar.c_str(), shots, 100 * unshot_fraction, left);
+    const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
+                            std::string(static_cast<std::size_t>(kWidth - filled), '.');
+    std::fprintf(stderr, "\r[%s] %u shots, %.3f %% unshot, %.0f s left \033[K", bar.c_str(), shots,
+                 100 * unshot_fraction, left);
     drawn_ = true;
   }
   return !interrupted;

@@ -104,6 +104,7 @@ class Builder {
       Element record = {};
       record.area = static_cast<std::uint32_t>(std::max(1L, std::lround(kAreaScale * grid_area)));
       record.face = static_cast<std::uint16_t>(f);
+      record.material = static_cast<std::uint16_t>(scene_.faces[f].material);
       record.patch = patch_of(f, cell.u / meshing_.block_u, cell.v / meshing_.block_v);
       store_eye(record.eye, centre, frame, corner);
       device_.elements.push_back(record);

@@ -7,9 +7,13 @@
 namespace fixrad::host {
 namespace {
 
-double sum(glm::dvec3 a) { return a.x + a.y + a.z; }
+double sum(glm::dvec3 a) {
+  return a.x + a.y + a.z;
+}
 
-double distance(glm::dvec3 a, glm::dvec3 b) { return std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z); }
+double distance(glm::dvec3 a, glm::dvec3 b) {
+  return std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z);
+}
 
 }  // namespace
 

@@ -8,8 +8,9 @@ namespace fixrad::host {
 
 /// How far one set of face means is from another.
 struct FaceMeanError {
-  double mean = 0;   ///< sum of area |a - b| over sum of area b, faces that emit left out, all channels
-  double worst = 0;  ///< largest |a - b| / b of a face with at least a tenth of the mean radiosity, channels summed
+  double mean = 0;  ///< sum of area |a - b| over sum of area b, faces that emit left out, all channels
+  double worst =
+      0;  ///< largest |a - b| / b of a face with at least a tenth of the mean radiosity, channels summed
 };
 
 /// `a`, `b`: radiosity [faces]; `areas` [faces], 0 leaves a face out; `emits` [faces].

@@ -22,7 +22,7 @@ struct SimulatedDevice::Arrays {
   std::vector<Direction> directions;
   std::vector<Span> spans;
   std::vector<Item> items;
-  std::vector<std::uint16_t> share;
+  std::vector<std::uint32_t> share;
   std::vector<Centroid> centroid;
 };
 

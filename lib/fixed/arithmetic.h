@@ -36,10 +36,9 @@ inline Flux reflect(Reflectance reflectance, Flux received) {
   return Flux::from_raw(received.raw < 0 ? -static_cast<int32_t>(part) : static_cast<int32_t>(part));
 }
 
-/// floor(flux * sum / 2^16) for flux < 2^31 and sum <= 2^16, in two 32-bit products: the high half gives at
-/// most 2^15 * 2^16, the low half at most 65535 * 65536, which is why 2^16 itself is allowed.
-inline uint32_t flux_below(uint32_t flux, uint32_t sum) {
-  return (flux >> 16) * sum + (((flux & 0xffffu) * sum) >> 16);
+/// floor((flux * sum + phase) / 2^20) for flux < 2^31, sum <= 2^20, phase < 2^20: 64 bits -> below 2^31 + 1.
+inline uint32_t flux_below(uint32_t flux, uint32_t sum, uint32_t phase) {
+  return static_cast<uint32_t>((static_cast<uint64_t>(flux) * sum + phase) >> 20);
 }
 
 /// a / 2^shift towards minus infinity. C++17 leaves >> of a negative number to the compiler; every compiler

@@ -32,7 +32,7 @@ Status hemicube_rows(const Scene& scene, const DeltaTable& table, const EyeSampl
 Status hemicube_pixels(const Scene& scene, const DeltaTable& table, const EyeSample& sample, Workspace& work,
                        FormFactorRow& row);
 
-/// Fraction of the hemisphere, UQ1.16, in which the nearest face shows its back. More than half: the eye is
+/// Fraction of the hemisphere, UQ1.20, in which the nearest face shows its back. More than half: the eye is
 /// buried in a body that stands on its face.
 Status back_share(const Scene& scene, const DeltaTable& table, const EyePoint& eye, Workspace& work,
                   uint32_t& share);

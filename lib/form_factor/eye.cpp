@@ -8,12 +8,13 @@ struct Turn {
   int16_t cosine, sine;  // Q14
 };
 
-// Angle i is frac(i * 0.6180339887) * 90 degrees, the golden-ratio sequence: any run of it covers the quarter
-// turn evenly.
+// Angle i is frac((i + 1/2) * 0.6180339887) * 90 degrees, the golden-ratio sequence: any run of it covers the
+// quarter turn evenly. None is 0: there rows are parallel to the borders of elements in a rectangular room,
+// and where a border lies on the middle of a row, the last bit decides about the whole row.
 constexpr FIXRAD_FLASH Turn kTurnTable[kTurns] = {
-    {16384, 0},    {9251, 13522}, {15270, 5937}, {3722, 15956},  {12081, 11067}, {16220, 2313},
-    {7249, 14693}, {14279, 8033}, {1432, 16321}, {10398, 12662}, {15731, 4579},  {5103, 15569},
-    {13002, 9969}, {16360, 886},  {8506, 14003}, {14927, 6754}};
+    {14491, 7644}, {1873, 16277}, {10736, 12376}, {15849, 4152}, {5522, 15425},  {13267, 9613},
+    {16378, 443},  {8882, 13768}, {15104, 6348},  {3289, 16050}, {11777, 11390}, {16151, 2751},
+    {6849, 14884}, {14057, 8417}, {990, 16354},   {10051, 12938}};
 
 Vec3 combine(Vec3 a, int32_t p, Vec3 b, int32_t q) {
   const int32_t half = kUnit / 2;

@@ -5,16 +5,17 @@
 
 namespace fixrad {
 
-/// One over a row of form factors: the entries plus escaped plus back sum to exactly this.
-constexpr uint32_t kRowOne = 65536;
+/// One over a row of form factors: the entries plus escaped plus back sum to exactly this. The unit is that
+/// of the delta form factors: with 2^-16, rounding made nine tenths of all arithmetic error.
+constexpr uint32_t kRowOne = 1u << 20;
 
 /// A row of form factors, the one record between geometry and transport: share[j] is the fraction of what a
-/// shooter sends that arrives at element j. share [count], UQ0.16, owned by the solver's storage.
+/// shooter sends that arrives at element j. share [count], UQ1.20, owned by the solver's storage.
 struct FormFactorRow {
-  uint16_t* share;
+  uint32_t* share;
   uint16_t count;
-  uint32_t escaped;  ///< hits nothing, UQ1.16
-  uint32_t back;     ///< the nearest hit is a back face, UQ1.16
+  uint32_t escaped;  ///< hits nothing, UQ1.20
+  uint32_t back;     ///< the nearest hit is a back face, UQ1.20
 };
 
 /// Empties the row.
@@ -32,7 +33,8 @@ constexpr uint16_t kBackSlot = 0xfffe;
 
 /// Adds the view of one eye point to a row. The eye owns the part [begin, begin + weight) of kRowOne; samples
 /// come in a fixed order and each ends at a running sum of delta form factors, so that rounding telescopes:
-/// after the last sample the eye has given exactly `weight`.
+/// after the last sample the eye has given exactly `weight`. Ends are rounded to nearest, lest the last
+/// element get all that others lose.
 class RowWriter {
  public:
   RowWriter(FormFactorRow& row, uint32_t begin, uint32_t weight)
@@ -40,7 +42,8 @@ class RowWriter {
 
   /// Everything from the end of the last call up to `sum` (UQ1.20 over the hemicube) falls on `slot`.
   void add(uint16_t slot, uint32_t sum) {
-    const uint32_t end = begin_ + static_cast<uint32_t>((static_cast<uint64_t>(sum) * weight_) >> 20);
+    const uint32_t end =
+        begin_ + static_cast<uint32_t>((static_cast<uint64_t>(sum) * weight_ + kRowOne / 2) >> 20);
     const uint32_t part = end - written_;
     written_ = end;
     if (part != 0) {
@@ -55,24 +58,7 @@ class RowWriter {
     } else if (slot == kBackSlot) {
       row_.back += part;
     } else {
-      give_element(slot, part);
-    }
-  }
-
-  // UQ0.16 cannot hold the 1.0 of an element that fills the whole hemisphere; its last unit of 2^-16 then
-  // goes to a neighbour, so that a closed scene still loses nothing.
-  void give_element(uint16_t slot, uint32_t part) {
-    const uint32_t sum = row_.share[slot] + part;
-    if (sum < kRowOne) {
-      row_.share[slot] = static_cast<uint16_t>(sum);
-      return;
-    }
-    row_.share[slot] = 0xffff;
-    if (row_.count > 1) {
-      const uint16_t neighbour = static_cast<uint16_t>(slot == 0 ? 1 : slot - 1);
-      row_.share[neighbour] = static_cast<uint16_t>(row_.share[neighbour] + (sum - 0xffffu));
-    } else {
-      row_.back += sum - 0xffffu;
+      row_.share[slot] += part;
     }
   }
 

@@ -107,7 +107,7 @@ Status back_share(const Scene& scene, const DeltaTable& table, const EyePoint& e
       }
     }
   }
-  share = back >> (kDeltaSumLog2 - 16);
+  share = back;
   return Status::ok;
 }
 

@@ -10,8 +10,39 @@ namespace {
 // dividend of a crossing below 2^32.
 constexpr int kEdgeBits = 20;
 
-Vec3 side_direction(const Direction& d, int side) {
-  return to_side({d.x, d.y, d.z}, side);
+Vec3 vec(const Direction& d) {
+  return {d.x, d.y, d.z};
+}
+
+// From the axes of one side to those of the next: the top's (x, y, z) become (y, z, x); from then on a
+// quarter turn about the normal, (-z, y, x).
+template <class T>
+void turn_to(int side, T& x, T& y, T& z) {
+  const T old_x = x;
+  if (side == 1) {
+    x = y;
+    y = z;
+  } else {
+    x = static_cast<T>(-z);
+  }
+  z = old_x;
+}
+
+void turn_to(int side, Vec3& v) {
+  turn_to(side, v.x, v.y, v.z);
+}
+
+void turn_view(int side, uint16_t vertex_count, Workspace& work) {
+  for (uint16_t i = 0; i < vertex_count; ++i) {
+    turn_to(side, work.directions[i].x, work.directions[i].y, work.directions[i].z);
+  }
+  for (uint16_t i = 0; i < work.view_count; ++i) {
+    FaceView& view = work.views[i];
+    turn_to(side, view.depth_normal[0], view.depth_normal[1], view.depth_normal[2]);
+    turn_to(side, view.grid_u);
+    turn_to(side, view.grid_v);
+    turn_to(side, view.grid_n);
+  }
 }
 
 // Half-spaces through the eye that a hemicube side lies outside of; a face is invisible if all its corners
@@ -37,7 +68,7 @@ int32_t clamp(int32_t a, int32_t low, int32_t high) {
 bool is_outside(const Scene& scene, int side, const Direction* directions, const FaceView& view) {
   int outside = 31;
   for (int k = 0; k < view.corner_count && outside != 0; ++k) {
-    outside &= outcode(side_direction(directions[view_corner(scene, view, k)], side), side);
+    outside &= outcode(vec(directions[view_corner(scene, view, k)]), side);
   }
   return outside != 0;
 }
@@ -55,7 +86,7 @@ void find_rows(const Scene& scene, int side, int resolution_log2, const Directio
   }
   int32_t lowest = r, highest = -r - 1;
   for (int k = 0; k < view.corner_count; ++k) {
-    const Vec3 v = side_direction(directions[view_corner(scene, view, k)], side);
+    const Vec3 v = vec(directions[view_corner(scene, view, k)]);
     if (v.z <= 0) {
       lowest = -r - 1;
       highest = r;
@@ -128,24 +159,10 @@ void meet_edge(const RowPosition& at, bool is_left, uint8_t edge, Vec3 below, Ve
 
 }  // namespace
 
-Vec3 RowPosition::direction(int32_t x) const {
-  const int32_t along = x - kRowMiddle;
-  const int32_t up = y() * (static_cast<int32_t>(1) << (kRowLog2 - 1 - resolution_log2));
-  switch (side) {
-    case kTop:
-      return {along, up, kRowMiddle};
-    case 1:
-      return {kRowMiddle, along, up};
-    case 2:
-      return {-along, kRowMiddle, up};
-    case 3:
-      return {-kRowMiddle, -along, up};
-    default:
-      return {along, -kRowMiddle, up};
-  }
-}
-
 void enter_side(const Scene& scene, int side, int resolution_log2, Workspace& work) {
+  if (side != kTop) {
+    turn_view(side, scene.vertex_count, work);
+  }
   for (uint16_t i = 0; i < work.view_count; ++i) {
     FaceView& view = work.views[i];
     view.left_edge = kNoEdge;
@@ -162,10 +179,10 @@ Interval face_interval(const Scene& scene, const RowPosition& at, const Directio
   const int32_t y = at.y();
   Ends ends = {kRowEnd, 0, false, false};
   int from = view.corner_count - 1;
-  Vec3 a = side_direction(directions[view_corner(scene, view, from)], at.side);
+  Vec3 a = vec(directions[view_corner(scene, view, from)]);
   bool a_above = r * a.y >= y * a.z;
   for (int k = 0; k < view.corner_count; ++k) {
-    const Vec3 b = side_direction(directions[view_corner(scene, view, k)], at.side);
+    const Vec3 b = vec(directions[view_corner(scene, view, k)]);
     const bool b_above = r * b.y >= y * b.z;
     if (a_above != b_above) {
       const bool is_left = b_above != view.is_back;

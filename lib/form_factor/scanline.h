@@ -3,6 +3,7 @@
 
 #include <stdint.h>
 
+#include "lib/form_factor/delta_table.h"
 #include "lib/form_factor/view.h"
 
 namespace fixrad {
@@ -11,22 +12,6 @@ namespace fixrad {
 /// through the middle of the side, rows along x, y upwards (for the four sides: along the normal).
 constexpr int kSides = 5;
 constexpr int kTop = 0;
-
-/// A vector of the hemicube's frame in the axes of side `side`.
-inline Vec3 to_side(Vec3 v, int side) {
-  switch (side) {
-    case kTop:
-      return v;
-    case 1:
-      return {v.y, v.z, v.x};
-    case 2:
-      return {-v.x, v.z, v.y};
-    case 3:
-      return {-v.y, v.z, -v.x};
-    default:
-      return {v.x, v.z, -v.y};
-  }
-}
 
 /// One row of a side: in the side's axes, position x has direction (x - kRowMiddle, y << (11 - k),
 /// kRowMiddle), x in 0..kRowEnd.
@@ -40,8 +25,10 @@ struct RowPosition {
     return 2 * static_cast<int32_t>(row) + 1 - (static_cast<int32_t>(1) << resolution_log2);
   }
 
-  /// Direction of position x on the row in the hemicube's frame (not the side's); components at most 2^11.
-  Vec3 direction(int32_t x) const;
+  /// Direction of position x on the row, in the side's axes; components at most 2^11.
+  Vec3 direction(int32_t x) const {
+    return {x - kRowMiddle, y() * (static_cast<int32_t>(1) << (kRowLog2 - 1 - resolution_log2)), kRowMiddle};
+  }
 };
 
 /// Part of a row: [begin, end), empty if begin >= end.
@@ -49,8 +36,9 @@ struct Interval {
   int32_t begin, end;
 };
 
-/// Finds the rows of `side` that each view crosses and forgets the edge cursors. Cost: a few tests a corner,
-/// one division a corner of a face in the side's frustum.
+/// Turns the view from the axes of the side before to those of `side` (sides are entered in order, from
+/// kTop), finds the rows of `side` that each face crosses and forgets the edge cursors. Cost: a few tests a
+/// corner, one division a corner of a face in the side's frustum.
 void enter_side(const Scene& scene, int side, int resolution_log2, Workspace& work);
 
 /// The part of a row that a face covers. Needs first_row <= row <= last_row.

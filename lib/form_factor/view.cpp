@@ -105,6 +105,7 @@ void make_view(const Scene& scene, const EyePoint& eye, bool back_faces, Workspa
     view.corner_count = face.corner_count;
     view.is_back = is_back;
     make_plane(frame, vec(face.normal), height, view);
+    view.grid_u = view.grid_v = view.grid_n = {0, 0, 0};
     if (!is_back && face.cells_u * face.cells_v > 1) {
       make_grid(face, frame, eye.position, view);
     }

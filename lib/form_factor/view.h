@@ -8,7 +8,8 @@
 
 namespace fixrad {
 
-/// A vertex as a direction from the eye in the hemicube's frame, scaled by its own power of two: Q0 in
+/// A vertex as a direction from the eye in the axes of the current side of the hemicube, scaled by its own
+/// power of two: Q0 in
 /// [-2^14, 2^14].
 struct Direction {
   int16_t x, y, z;
@@ -22,7 +23,8 @@ struct EdgeCursor {
 
 constexpr uint8_t kNoEdge = 0xff;
 
-/// A face as the current eye sees it; 84 bytes. Vectors are in the hemicube's frame.
+/// A face as the current eye sees it; 84 bytes. Vectors are in the axes of the
+/// current side of the hemicube.
 struct FaceView {
   Vec3 grid_u, grid_v,
       grid_n;              ///< u = (grid_u . d) / (grid_n . d) is the cell coordinate in direction d; < 2^18

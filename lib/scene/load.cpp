@@ -125,7 +125,8 @@ Status check_eye(const Scene& scene, const uint16_t (&eye)[3], uint16_t face_ind
 Status check_element(const Scene& scene, uint16_t index) {
   const Element element = flash_read(scene.elements, index);
   if (element.face >= scene.face_count || element.patch >= scene.patch_count ||
-      flash_read(scene.patches, element.patch).face != element.face) {
+      flash_read(scene.patches, element.patch).face != element.face ||
+      flash_read(scene.faces, element.face).material != element.material) {
     return Status::bad_index;
   }
   return element.area == 0 ? Status::zero_area : check_eye(scene, element.eye, element.face);
@@ -155,7 +156,7 @@ Status check_light(const Scene& scene, int channel, bool& emits) {
   uint64_t emitted = 0;
   for (uint16_t e = 0; e < scene.element_count; ++e) {
     const Element element = flash_read(scene.elements, e);
-    const Material material = flash_read(scene.materials, flash_read(scene.faces, element.face).material);
+    const Material material = flash_read(scene.materials, element.material);
     const uint64_t flux =
         (static_cast<uint64_t>(material.emission[channel]) * element.area) >> scene.emission_shift;
     if (flux >= (1u << 30)) {

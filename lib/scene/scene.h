@@ -63,6 +63,7 @@ struct Element {
   uint16_t eye[3];  ///< its centroid, lifted off the face by half a grid unit; quarters of a grid unit
   uint16_t patch;
   uint16_t face;
+  uint16_t material;  ///< of the face, repeated here for the inner loop
 };
 
 /// Elements that shoot together.

@@ -7,6 +7,32 @@
 namespace fixrad {
 namespace {
 
+// The matrix keeps 16 bits an entry.
+constexpr uint32_t kMatrixUnit = kRowOne >> 16;
+
+// Rounds running sums, so that a row that loses nothing still does. UQ0.16 cannot hold the 1.0 of an element
+// that fills the whole hemisphere; its last unit then goes to a neighbour.
+void store_row(const FormFactorRow& row, FormFactorMatrix& matrix, uint16_t e) {
+  uint16_t* entries = matrix.share + static_cast<uint32_t>(e) * row.count;
+  uint32_t sum = 0;
+  uint32_t stored = 0;
+  for (uint16_t j = 0; j < row.count; ++j) {
+    sum += row.share[j];
+    uint32_t part = sum / kMatrixUnit - stored;
+    if (part > 0xffffu) {
+      part = 0xffffu;
+      if (j > 0) {
+        entries[j - 1] = static_cast<uint16_t>(entries[j - 1] + 1);
+        ++stored;
+      }
+    }
+    entries[j] = static_cast<uint16_t>(part);
+    stored += part;
+  }
+  const uint32_t back = (sum + row.back) / kMatrixUnit - stored;
+  matrix.back[e] = static_cast<uint16_t>(back < 0xffffu ? back : 0xffffu);
+}
+
 struct Light {
   Reflectance reflectance;
   Flux emitted;
@@ -14,7 +40,7 @@ struct Light {
 
 Light light_of(const Scene& scene, uint16_t e, int c) {
   const Element element = flash_read(scene.elements, e);
-  const Material material = flash_read(scene.materials, flash_read(scene.faces, element.face).material);
+  const Material material = flash_read(scene.materials, element.material);
   return {Reflectance::from_raw(material.reflectance[c]), emitted_flux(scene, material, element.area, c)};
 }
 
@@ -44,11 +70,7 @@ Status sample_matrix_row(State& state, FormFactorMatrix& matrix, uint16_t e) {
   if (status != Status::ok) {
     return status;
   }
-  uint16_t* row = matrix.share + static_cast<uint32_t>(e) * scene.element_count;
-  for (uint16_t j = 0; j < scene.element_count; ++j) {
-    row[j] = state.row.share[j];
-  }
-  matrix.back[e] = static_cast<uint16_t>(state.row.back < 0xffff ? state.row.back : 0xffff);
+  store_row(state.row, matrix, e);
   return Status::ok;
 }
 
@@ -88,11 +110,11 @@ void book_gathering(State& state, const FormFactorMatrix& matrix) {
       uint32_t sum = 0;
       for (uint32_t j = 0; j < scene.element_count; ++j) {
         const uint32_t next = sum + matrix.share[i * scene.element_count + j];
-        state.received[j * channels + c] += share_of(amount, sum, next).raw;
+        state.received[j * channels + c] += share_of(amount, sum * kMatrixUnit, next * kMatrixUnit, 0).raw;
         sum = next;
       }
-      state.back[c] += share_of(amount, sum, sum + matrix.back[i]).raw;
-      state.escaped[c] += share_of(amount, sum + matrix.back[i], kRowOne).raw;
+      state.back[c] += share_of(amount, sum * kMatrixUnit, (sum + matrix.back[i]) * kMatrixUnit, 0).raw;
+      state.escaped[c] += share_of(amount, (sum + matrix.back[i]) * kMatrixUnit, kRowOne, 0).raw;
     }
     for (uint16_t j = 0; j < scene.element_count; ++j) {
       const Light light = light_of(scene, j, static_cast<int>(c));

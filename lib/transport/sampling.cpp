@@ -125,7 +125,7 @@ class EyeSet {
 
  private:
   uint32_t part(uint32_t running) const {
-    return static_cast<uint32_t>((static_cast<uint64_t>(running) << 16) / total_);
+    return static_cast<uint32_t>(static_cast<uint64_t>(running) * kRowOne / total_);
   }
 
   State& state_;

@@ -10,6 +10,9 @@ namespace {
 // lowers the sum of unshot flux, finishes.
 constexpr uint64_t kOvershootUntil = 8;
 
+// 2^32 over the golden ratio: the roundings of successive shots are spread evenly.
+constexpr uint32_t kGoldenStep = 0x9e3779b9u;
+
 int32_t* unshot_of(State& state, uint16_t patch) {
   return state.unshot + static_cast<uint32_t>(patch) * state.scene.channels;
 }
@@ -86,34 +89,47 @@ void receive(State& state, uint16_t e, const Element& element, const Material& m
   state.unshot[element.patch * channels + static_cast<unsigned>(c)] += (after - before).raw;
 }
 
+// Flux of a shot below a running sum of form factors, per channel, for the element before.
+struct Below {
+  uint32_t flux[kMaxChannels];
+};
+
+Flux take_share(const Flux& amount, uint32_t sum, uint32_t phase, uint32_t& below) {
+  const uint32_t next = flux_below(magnitude(amount.raw), sum, phase);
+  const int32_t part = static_cast<int32_t>(next - below);
+  below = next;
+  return Flux::from_raw(amount.raw < 0 ? -part : part);
+}
+
 void distribute(State& state, const Flux* amount) {
   const Scene& scene = state.scene;
+  const int channels = scene.channels;
+  const uint32_t phase = (state.shots * kGoldenStep) >> 12;
   uint32_t sum = 0;
+  Below below = {};
   for (uint16_t e = 0; e < scene.element_count; ++e) {
-    const uint32_t next = sum + state.row.share[e];
-    if (next == sum) {
+    if (state.row.share[e] == 0) {
       continue;
     }
+    sum += state.row.share[e];
     const Element element = flash_read(scene.elements, e);
-    const Material material = flash_read(scene.materials, flash_read(scene.faces, element.face).material);
-    for (int c = 0; c < scene.channels; ++c) {
-      receive(state, e, element, material, c, share_of(amount[c], sum, next));
+    const Material material = flash_read(scene.materials, element.material);
+    for (int c = 0; c < channels; ++c) {
+      receive(state, e, element, material, c, take_share(amount[c], sum, phase, below.flux[c]));
     }
-    sum = next;
   }
-  for (int c = 0; c < scene.channels; ++c) {
+  for (int c = 0; c < channels; ++c) {
     const uint32_t escaped_end = sum + state.row.escaped;
-    state.escaped[c] += share_of(amount[c], sum, escaped_end).raw;
-    state.back[c] += share_of(amount[c], escaped_end, kRowOne).raw;
+    state.escaped[c] += take_share(amount[c], escaped_end, phase, below.flux[c]).raw;
+    state.back[c] += take_share(amount[c], kRowOne, phase, below.flux[c]).raw;
   }
 }
 
 }  // namespace
 
-Flux share_of(Flux amount, uint32_t sum_before, uint32_t sum_after) {
-  const uint32_t m = magnitude(amount.raw);
-  const int32_t part = static_cast<int32_t>(flux_below(m, sum_after) - flux_below(m, sum_before));
-  return Flux::from_raw(amount.raw < 0 ? -part : part);
+Flux share_of(Flux amount, uint32_t sum_before, uint32_t sum_after, uint32_t phase) {
+  uint32_t below = flux_below(magnitude(amount.raw), sum_before, phase);
+  return take_share(amount, sum_after, phase, below);
 }
 
 Fraction unshot_fraction(const State& state) {

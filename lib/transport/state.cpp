@@ -5,7 +5,7 @@ namespace fixrad {
 namespace {
 
 Material material_of(const Scene& scene, const Element& element) {
-  return flash_read(scene.materials, flash_read(scene.faces, element.face).material);
+  return flash_read(scene.materials, element.material);
 }
 
 uint32_t saturate(uint64_t a) {
