@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits.h>
 #include <stdint.h>
 
 #include "lib/fixed/q.h"
@@ -19,14 +20,8 @@ inline uint32_t magnitude(int32_t a) {
 
 /// Number of bits that `a` needs; 0 for 0.
 inline int bit_length(uint32_t a) {
-  int n = 0;
-  for (int step = 16; step > 0; step /= 2) {
-    if ((a >> step) != 0) {
-      a >>= step;
-      n += step;
-    }
-  }
-  return n + static_cast<int>(a);
+  // unsigned long has 32 bits or more on every target, unsigned int only 16 on some.
+  return a == 0 ? 0 : static_cast<int>(sizeof(unsigned long) * CHAR_BIT) - __builtin_clzl(a);
 }
 
 /// Reflected part of all that was received: UQ0.32 x flux -> 64 bits -> truncated towards zero -> flux.

@@ -54,7 +54,7 @@ void draw_side(const Scene& scene, int side, uint8_t resolution_log2, Workspace&
   for (uint16_t i = 0; i < work.view_count; ++i) {
     const int last = work.views[i].last_row;
     for (int r = work.views[i].first_row; r <= last; ++r) {
-      const RowPosition at = {static_cast<uint8_t>(side), static_cast<uint8_t>(r), resolution_log2};
+      const RowPosition at = row_position(r, resolution_log2);
       draw_face_row(scene, {at, work.items + (static_cast<uint32_t>(r) << resolution_log2)}, i, work);
     }
   }

@@ -72,7 +72,7 @@ Status hemicube_rows(const Scene& scene, const DeltaTable& table, const EyeSampl
   for (int side = 0; side < kSides; ++side) {
     enter_side(scene, side, table.resolution_log2, work);
     for (int r = side == kTop ? 0 : size / 2; r < size; ++r) {
-      const RowPosition at = {static_cast<uint8_t>(side), static_cast<uint8_t>(r), table.resolution_log2};
+      const RowPosition at = row_position(r, table.resolution_log2);
       if (!find_visible(scene, at, work, visible)) {
         return Status::span_pool_full;
       }
@@ -95,7 +95,7 @@ Status back_share(const Scene& scene, const DeltaTable& table, const EyePoint& e
   for (int side = 0; side < kSides; ++side) {
     enter_side(scene, side, table.resolution_log2, work);
     for (int r = side == kTop ? 0 : size / 2; r < size; ++r) {
-      const RowPosition at = {static_cast<uint8_t>(side), static_cast<uint8_t>(r), table.resolution_log2};
+      const RowPosition at = row_position(r, table.resolution_log2);
       if (!find_visible(scene, at, work, visible)) {
         return Status::span_pool_full;
       }

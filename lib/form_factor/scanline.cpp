@@ -73,8 +73,23 @@ bool is_outside(const Scene& scene, int side, const Direction* directions, const
   return outside != 0;
 }
 
-// A vertex with z > 0 is above row r while 2 r + 1 - R <= R y / z, which gives the rows exactly. A face that
-// reaches behind the eye may cross any row.
+// A vertex in front of the eye is above row r while 2 r + 1 - R <= R y / z, which gives the rows exactly.
+void find_heights(uint16_t vertex_count, int resolution_log2, Direction* directions) {
+  const int32_t r = static_cast<int32_t>(1) << resolution_log2;
+  for (uint16_t i = 0; i < vertex_count; ++i) {
+    Direction& d = directions[i];
+    d.height = d.z > 0 ? static_cast<int16_t>(clamp(floor_divide(d.y * r, d.z), -r - 1, r)) : kBehind;
+  }
+}
+
+bool is_above(const Direction& d, const RowPosition& at) {
+  if (d.height != kBehind) {
+    return at.y <= d.height;
+  }
+  return d.y * (static_cast<int32_t>(1) << at.resolution_log2) >= at.y * d.z;
+}
+
+// A face that reaches behind the eye may cross any row.
 void find_rows(const Scene& scene, int side, int resolution_log2, const Direction* directions,
                FaceView& view) {
   const int32_t r = static_cast<int32_t>(1) << resolution_log2;
@@ -86,13 +101,12 @@ void find_rows(const Scene& scene, int side, int resolution_log2, const Directio
   }
   int32_t lowest = r, highest = -r - 1;
   for (int k = 0; k < view.corner_count; ++k) {
-    const Vec3 v = vec(directions[view_corner(scene, view, k)]);
-    if (v.z <= 0) {
+    const int32_t height = directions[view_corner(scene, view, k)].height;
+    if (height == kBehind) {
       lowest = -r - 1;
       highest = r;
       break;
     }
-    const int32_t height = clamp(floor_divide(v.y * r, v.z), -r - 1, r);
     lowest = height < lowest ? height : lowest;
     highest = height > highest ? height : highest;
   }
@@ -118,7 +132,7 @@ void start_edge(EdgeCursor& cursor, int resolution_log2, Vec3 below, Vec3 above)
 // x where an edge in front of the eye (reach > 0) crosses the row.
 int32_t crossing(const EdgeCursor& cursor, const RowPosition& at) {
   const int32_t half_width = cursor.reach * (static_cast<int32_t>(1) << at.resolution_log2);
-  const int32_t from_left = half_width + cursor.base + at.y() * cursor.step;
+  const int32_t from_left = half_width + cursor.base + at.y * cursor.step;
   if (from_left <= 0) {
     return 0;
   }
@@ -137,12 +151,12 @@ struct Ends {
   bool left_behind, right_behind;
 };
 
-void meet_edge(const RowPosition& at, bool is_left, uint8_t edge, Vec3 below, Vec3 above, FaceView& view,
-               Ends& ends) {
+void meet_edge(const RowPosition& at, bool is_left, uint8_t edge, const Direction& below,
+               const Direction& above, FaceView& view, Ends& ends) {
   EdgeCursor& cursor = is_left ? view.left : view.right;
   uint8_t& held = is_left ? view.left_edge : view.right_edge;
   if (held != edge) {
-    start_edge(cursor, at.resolution_log2, below, above);
+    start_edge(cursor, at.resolution_log2, vec(below), vec(above));
     held = edge;
   }
   if (cursor.reach <= 0) {
@@ -163,6 +177,7 @@ void enter_side(const Scene& scene, int side, int resolution_log2, Workspace& wo
   if (side != kTop) {
     turn_view(side, scene.vertex_count, work);
   }
+  find_heights(scene.vertex_count, resolution_log2, work.directions);
   for (uint16_t i = 0; i < work.view_count; ++i) {
     FaceView& view = work.views[i];
     view.left_edge = kNoEdge;
@@ -175,19 +190,16 @@ void enter_side(const Scene& scene, int side, int resolution_log2, Workspace& wo
 // left.
 Interval face_interval(const Scene& scene, const RowPosition& at, const Direction* directions,
                        FaceView& view) {
-  const int32_t r = static_cast<int32_t>(1) << at.resolution_log2;
-  const int32_t y = at.y();
   Ends ends = {kRowEnd, 0, false, false};
   int from = view.corner_count - 1;
-  Vec3 a = vec(directions[view_corner(scene, view, from)]);
-  bool a_above = r * a.y >= y * a.z;
+  const Direction* a = directions + view_corner(scene, view, from);
+  bool a_above = is_above(*a, at);
   for (int k = 0; k < view.corner_count; ++k) {
-    const Vec3 b = vec(directions[view_corner(scene, view, k)]);
-    const bool b_above = r * b.y >= y * b.z;
+    const Direction* b = directions + view_corner(scene, view, k);
+    const bool b_above = is_above(*b, at);
     if (a_above != b_above) {
       const bool is_left = b_above != view.is_back;
-      const uint8_t edge = static_cast<uint8_t>(from);
-      meet_edge(at, is_left, edge, b_above ? a : b, b_above ? b : a, view, ends);
+      meet_edge(at, is_left, static_cast<uint8_t>(from), b_above ? *a : *b, b_above ? *b : *a, view, ends);
     }
     a = b;
     a_above = b_above;

@@ -16,20 +16,20 @@ constexpr int kTop = 0;
 /// One row of a side: in the side's axes, position x has direction (x - kRowMiddle, y << (11 - k),
 /// kRowMiddle), x in 0..kRowEnd.
 struct RowPosition {
-  uint8_t side;
-  uint8_t row;              ///< 0..R-1 bottom up; sides start at R/2
-  uint8_t resolution_log2;  ///< k
-
-  /// Height of the row, odd, -R < y < R, where the side's edge is R.
-  int32_t y() const {
-    return 2 * static_cast<int32_t>(row) + 1 - (static_cast<int32_t>(1) << resolution_log2);
-  }
+  int32_t row;          ///< 0..R-1 bottom up; sides start at R/2
+  int resolution_log2;  ///< k
+  int32_t y;            ///< height of the row, odd, -R < y < R, where the side's edge is R
 
   /// Direction of position x on the row, in the side's axes; components at most 2^11.
   Vec3 direction(int32_t x) const {
-    return {x - kRowMiddle, y() * (static_cast<int32_t>(1) << (kRowLog2 - 1 - resolution_log2)), kRowMiddle};
+    return {x - kRowMiddle, y * (static_cast<int32_t>(1) << (kRowLog2 - 1 - resolution_log2)), kRowMiddle};
   }
 };
+
+/// Row `row` of a side.
+inline RowPosition row_position(int32_t row, int resolution_log2) {
+  return {row, resolution_log2, 2 * row + 1 - (static_cast<int32_t>(1) << resolution_log2)};
+}
 
 /// Part of a row: [begin, end), empty if begin >= end.
 struct Interval {

@@ -12,7 +12,7 @@ namespace fixrad {
 ///
 ///     for (ElementWalk walk(scene, view, at, part); walk.next();) use(walk.element(), walk.end());
 ///
-/// Cost: two dot products and up to four divisions an interval, one division a crossing.
+/// Cost: six dot products and up to two divisions an interval, one division a crossing.
 class ElementWalk {
  public:
   /// Needs part.begin < part.end, and `view` to show its front.
@@ -28,7 +28,8 @@ class ElementWalk {
   // One family of parallel grid lines: at the ends of the interval the cell coordinate is value / weight.
   struct Axis {
     int32_t begin_value, end_value;
-    int16_t cell, last_cell;
+    int16_t cell, cells;
+    int16_t step;    // to the next cell: 1, -1, or 0 in the last one
     int32_t border;  // row position where the current cell ends
   };
 
@@ -37,7 +38,7 @@ class ElementWalk {
   uint16_t element_at(int16_t u, int16_t v) const;
 
   const Scene& scene_;
-  Face face_;
+  const FaceView& view_;
   Interval part_;
   int32_t begin_weight_, end_weight_;
   Axis u_, v_;

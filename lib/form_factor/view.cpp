@@ -17,7 +17,8 @@ void make_directions(const Scene& scene, const EyeFrame& frame, Vec3 eye, Direct
     const Vec3 v = vec(flash_read(scene.vertices, i));
     const Vec3 offset = {v.x * kEyeScale - eye.x, v.y * kEyeScale - eye.y, v.z * kEyeScale - eye.z};
     const Vec3 d = block_normalise(to_local(frame, offset), kDirectionBits);
-    directions[i] = {static_cast<int16_t>(d.x), static_cast<int16_t>(d.y), static_cast<int16_t>(d.z)};
+    directions[i] = {static_cast<int16_t>(d.x), static_cast<int16_t>(d.y), static_cast<int16_t>(d.z),
+                     kBehind};
   }
 }
 
@@ -103,6 +104,9 @@ void make_view(const Scene& scene, const EyePoint& eye, bool back_faces, Workspa
     view.face = f;
     view.first_corner = face.first_corner;
     view.corner_count = face.corner_count;
+    view.first_cell_row = face.first_cell_row;
+    view.cells_u = face.cells_u;
+    view.cells_v = face.cells_v;
     view.is_back = is_back;
     make_plane(frame, vec(face.normal), height, view);
     view.grid_u = view.grid_v = view.grid_n = {0, 0, 0};

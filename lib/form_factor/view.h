@@ -9,11 +9,14 @@
 namespace fixrad {
 
 /// A vertex as a direction from the eye in the axes of the current side of the hemicube, scaled by its own
-/// power of two: Q0 in
-/// [-2^14, 2^14].
+/// power of two: Q0 in [-2^14, 2^14].
 struct Direction {
   int16_t x, y, z;
+  int16_t
+      height;  ///< floor(R y / z) cut to [-R - 1, R]: rows up to here have it above them; kBehind if z <= 0
 };
+
+constexpr int16_t kBehind = -32768;
 
 /// Where one edge of a face crosses the rows of a hemicube side: x/z = (base + y * step) / (R * reach), in
 /// front of the eye if reach > 0. Kept from row to row.
@@ -32,11 +35,12 @@ struct FaceView {
   EdgeCursor left, right;
   int16_t depth_normal[3];  ///< Q14; 1/depth in direction d is (depth_normal . d) / depth_distance
   uint16_t face;
-  uint16_t first_corner;  ///< of the face, kept here because every row needs them
-  uint8_t corner_count;
-  uint8_t left_edge, right_edge;  ///< edge that the cursor holds, or kNoEdge
-  uint8_t first_row, last_row;    ///< rows of the current side that it crosses; first > last: none
-  bool is_back;                   ///< its back is seen: it blocks and is black
+  uint16_t first_corner;                   ///< of the face, kept here because every row needs them
+  uint16_t first_cell_row;                 ///< of the face
+  uint8_t corner_count, cells_u, cells_v;  ///< of the face
+  uint8_t left_edge, right_edge;           ///< edge that the cursor holds, or kNoEdge
+  uint8_t first_row, last_row;             ///< rows of the current side that it crosses; first > last: none
+  bool is_back;                            ///< its back is seen: it blocks and is black
 };
 
 /// One visible interval of a row: from start to the start of the next one.

@@ -35,9 +35,12 @@ void reset(State& state, const Scene& scene, const Settings& settings) {
   }
   for (unsigned c = 0; c < channels; ++c) {
     state.emitted[c] = state.escaped[c] = state.back[c] = 0;
+    state.absorbing_area[c] = 0;
     for (uint16_t e = 0; e < scene.element_count; ++e) {
       const Element element = flash_read(scene.elements, e);
-      const Flux flux = emitted_flux(scene, material_of(scene, element), element.area, static_cast<int>(c));
+      const Material material = material_of(scene, element);
+      const Flux flux = emitted_flux(scene, material, element.area, static_cast<int>(c));
+      state.absorbing_area[c] += element.area - mul_high(material.reflectance[c], element.area);
       state.unshot[element.patch * channels + c] += flux.raw;
       state.emitted[c] += flux.raw;
     }
@@ -79,26 +82,18 @@ Flux exitent_flux(const State& state, uint16_t e, int c) {
 }
 
 Radiosity ambient_radiosity(const State& state, int c) {
-  const Scene& scene = state.scene;
   int64_t unshot = 0;
-  uint64_t absorbing_area = 0;
-  for (uint16_t p = 0; p < scene.patch_count; ++p) {
-    unshot += state.unshot[static_cast<uint32_t>(p) * scene.channels + static_cast<unsigned>(c)];
+  for (uint16_t p = 0; p < state.scene.patch_count; ++p) {
+    unshot += state.unshot[static_cast<uint32_t>(p) * state.scene.channels + static_cast<unsigned>(c)];
   }
-  for (uint16_t e = 0; e < scene.element_count; ++e) {
-    const Element element = flash_read(scene.elements, e);
-    absorbing_area += element.area - mul_high(material_of(scene, element).reflectance[c], element.area);
-  }
+  const uint64_t absorbing_area = state.absorbing_area[c];
   if (unshot <= 0 || absorbing_area == 0) {
     return Radiosity::from_raw(0);
   }
-  // (unshot / area) / (1 - mean reflectance) = unshot / absorbing area.
-  int shift = scene.radiosity_shift;
-  while (shift > 0 && (absorbing_area & 1) == 0) {
-    absorbing_area >>= 1;
-    --shift;
-  }
-  return Radiosity::from_raw(saturate((static_cast<uint64_t>(unshot) << shift) / absorbing_area));
+  // (unshot / area) / (1 - mean reflectance) = unshot / absorbing area. Unshot flux is below 2^31 and the
+  // shift at most 32, so the dividend fits.
+  return Radiosity::from_raw(
+      saturate((static_cast<uint64_t>(unshot) << state.scene.radiosity_shift) / absorbing_area));
 }
 
 Radiosity element_radiosity(const State& state, uint16_t e, int c, Radiosity ambient) {

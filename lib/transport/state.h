@@ -49,9 +49,10 @@ struct State {
   Settings settings;
   Workspace work;
   FormFactorRow row;
-  int32_t* received;   ///< [element][channel], flux received in all
-  int32_t* unshot;     ///< [patch][channel]
-  Centroid* centroid;  ///< [patch]
+  int32_t* received;                      ///< [element][channel], flux received in all
+  int32_t* unshot;                        ///< [patch][channel]
+  Centroid* centroid;                     ///< [patch]
+  uint64_t absorbing_area[kMaxChannels];  ///< sum of (1 - reflectance) area over the elements, UQ.3
   int32_t emitted[kMaxChannels];
   int32_t escaped[kMaxChannels];
   int32_t back[kMaxChannels];
