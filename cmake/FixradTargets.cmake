@@ -20,3 +20,14 @@ function(fixrad_test name)
   target_compile_definitions(${name} PRIVATE FIXRAD_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   gtest_discover_tests(${name} PROPERTIES TIMEOUT 300 DISCOVERY_TIMEOUT 60)
 endfunction()
+
+# fixrad_whole_program(target...): optimise across files where the final link asks for it too. Fat objects keep the
+# libraries usable for links that do not.
+function(fixrad_whole_program)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT FIXRAD_SANITIZE)
+    foreach(target ${ARGN})
+      set_target_properties(${target} PROPERTIES INTERPROCEDURAL_OPTIMIZATION ON)
+      target_compile_options(${target} PRIVATE -ffat-lto-objects)
+    endforeach()
+  endif()
+endfunction()

@@ -69,7 +69,7 @@ bool is_between(glm::dvec3 p, glm::dvec3 a, glm::dvec3 b, double& t) {
 class SurfaceBuilder {
  public:
   SurfaceBuilder(const PreparedScene& scene, const DeviceScene& device)
-      : scene_(scene), device_(device), surface_of_(smooth_surfaces(scene)) {}
+      : device_(device), surface_of_(smooth_surfaces(scene)) {}
 
   SurfaceMesh build() {
     add_corners();
@@ -244,7 +244,6 @@ class SurfaceBuilder {
     }
   }
 
-  const PreparedScene& scene_;
   const DeviceScene& device_;
   std::vector<std::uint32_t> surface_of_;
   SurfaceMesh mesh_;

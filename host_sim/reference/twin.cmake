@@ -8,3 +8,5 @@ add_library(fixrad::twin ALIAS fixrad_twin)
 fixrad_compile_options(fixrad_twin)
 target_include_directories(fixrad_twin PUBLIC ${FIXRAD_HOST_INCLUDE})
 target_link_libraries(fixrad_twin PUBLIC fixrad::fixrad glm::glm PRIVATE fixrad::tables)
+
+fixrad_whole_program(fixrad_twin)

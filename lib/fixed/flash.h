@@ -17,4 +17,10 @@ inline T flash_read(const FIXRAD_FLASH T* table, unsigned index) {
   return table[index];
 }
 
+/// The same record in place, for code that needs few of its fields.
+template <class T>
+inline const FIXRAD_FLASH T& flash_at(const FIXRAD_FLASH T* table, unsigned index) {
+  return table[index];
+}
+
 }  // namespace fixrad

@@ -118,30 +118,41 @@ void find_rows(const Scene& scene, int side, int resolution_log2, const Directio
   }
 }
 
+// The reciprocal of an n-bit half width takes its top 16 bits, a numerator below 2^(n + 1) its top 15:
+// positions come out within half a unit, the same for both faces that share the edge.
 void start_edge(EdgeCursor& cursor, int resolution_log2, Vec3 below, Vec3 above) {
   Vec3 e = cross(below, above);
   const int excess = bit_length(max_magnitude(e)) - kEdgeBits;
   if (excess > 0) {
     e = scale_down(e, excess);
   }
-  cursor.base = e.z * (static_cast<int32_t>(1) << resolution_log2);
+  const int32_t r = static_cast<int32_t>(1) << resolution_log2;
+  cursor.base = e.z * r;
   cursor.step = e.y;
-  cursor.reach = -e.x;
+  cursor.half_width = e.x < 0 ? -e.x * r : 0;
+  if (cursor.half_width > 0) {
+    const uint32_t width = static_cast<uint32_t>(cursor.half_width);
+    const int bits = bit_length(width);
+    const uint32_t top = bits > 16 ? width >> (bits - 16) : width << (16 - bits);
+    const uint32_t reciprocal = (static_cast<uint32_t>(1) << 31) / top;
+    cursor.reciprocal = static_cast<uint16_t>(reciprocal > 0xffff ? 0xffff : reciprocal);
+    cursor.shift = static_cast<int8_t>(bits - 14);
+  }
 }
 
-// x where an edge in front of the eye (reach > 0) crosses the row.
+// x where an edge in front of the eye crosses the row: numerator / half_width * 2^11, in a product below
+// 2^31.
 int32_t crossing(const EdgeCursor& cursor, const RowPosition& at) {
-  const int32_t half_width = cursor.reach * (static_cast<int32_t>(1) << at.resolution_log2);
-  const int32_t from_left = half_width + cursor.base + at.y * cursor.step;
+  const int32_t from_left = cursor.half_width + cursor.base + at.y * cursor.step;
   if (from_left <= 0) {
     return 0;
   }
-  if (from_left >= 2 * half_width) {
+  if (from_left >= 2 * cursor.half_width) {
     return kRowEnd;
   }
-  const int shift = kRowLog2 - 1 - at.resolution_log2;
-  return static_cast<int32_t>((static_cast<uint32_t>(from_left) << shift) /
-                              static_cast<uint32_t>(cursor.reach));
+  const uint32_t n = static_cast<uint32_t>(from_left);
+  const uint32_t numerator = cursor.shift >= 0 ? n >> cursor.shift : n << -cursor.shift;
+  return static_cast<int32_t>((numerator * cursor.reciprocal) >> 18);
 }
 
 // Ends of the covered part while the corners are walked; an end behind the eye leaves the row at its own
@@ -154,12 +165,11 @@ struct Ends {
 void meet_edge(const RowPosition& at, bool is_left, uint8_t edge, const Direction& below,
                const Direction& above, FaceView& view, Ends& ends) {
   EdgeCursor& cursor = is_left ? view.left : view.right;
-  uint8_t& held = is_left ? view.left_edge : view.right_edge;
-  if (held != edge) {
+  if (cursor.edge != edge) {
     start_edge(cursor, at.resolution_log2, vec(below), vec(above));
-    held = edge;
+    cursor.edge = edge;
   }
-  if (cursor.reach <= 0) {
+  if (cursor.half_width == 0) {
     (is_left ? ends.left_behind : ends.right_behind) = true;
     return;
   }
@@ -180,8 +190,8 @@ void enter_side(const Scene& scene, int side, int resolution_log2, Workspace& wo
   find_heights(scene.vertex_count, resolution_log2, work.directions);
   for (uint16_t i = 0; i < work.view_count; ++i) {
     FaceView& view = work.views[i];
-    view.left_edge = kNoEdge;
-    view.right_edge = kNoEdge;
+    view.left.edge = kNoEdge;
+    view.right.edge = kNoEdge;
     find_rows(scene, side, resolution_log2, work.directions, view);
   }
 }

@@ -18,15 +18,20 @@ struct Direction {
 
 constexpr int16_t kBehind = -32768;
 
-/// Where one edge of a face crosses the rows of a hemicube side: x/z = (base + y * step) / (R * reach), in
-/// front of the eye if reach > 0. Kept from row to row.
-struct EdgeCursor {
-  int32_t base, step, reach;
-};
-
 constexpr uint8_t kNoEdge = 0xff;
 
-/// A face as the current eye sees it; 84 bytes. Vectors are in the axes of the
+/// Where one edge of a face crosses the rows of a hemicube side: at (half_width + base + y step) / (2
+/// half_width) of the row, in front of the eye if half_width > 0. Kept from row to row, with the reciprocal
+/// of half_width, so that a row needs no division.
+struct EdgeCursor {
+  int32_t base, step;
+  int32_t half_width;   ///< 0: the edge meets the rows behind the eye
+  uint16_t reciprocal;  ///< 2^31 / (half_width scaled to 16 bits)
+  int8_t shift;         ///< that brings a numerator to 15 bits
+  uint8_t edge;         ///< which one, or kNoEdge
+};
+
+/// A face as the current eye sees it; 92 bytes. Vectors are in the axes of the
 /// current side of the hemicube.
 struct FaceView {
   Vec3 grid_u, grid_v,
@@ -38,7 +43,6 @@ struct FaceView {
   uint16_t first_corner;                   ///< of the face, kept here because every row needs them
   uint16_t first_cell_row;                 ///< of the face
   uint8_t corner_count, cells_u, cells_v;  ///< of the face
-  uint8_t left_edge, right_edge;           ///< edge that the cursor holds, or kNoEdge
   uint8_t first_row, last_row;             ///< rows of the current side that it crosses; first > last: none
   bool is_back;                            ///< its back is seen: it blocks and is black
 };

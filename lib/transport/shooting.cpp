@@ -21,16 +21,19 @@ struct Scan {
   uint16_t brightest;
   uint64_t brightest_flux;        // sum over channels
   uint64_t unshot[kMaxChannels];  // sum of magnitudes
+  int64_t balance[kMaxChannels];  // sum with signs
 };
 
-Scan scan_patches(const State& state) {
-  Scan scan = {0, 0, {0, 0, 0}};
-  const int32_t* unshot = state.unshot;
-  for (uint16_t p = 0; p < state.scene.patch_count; ++p) {
+// The number of channels is a constant here: this loop runs over all patches at every shot.
+template <int Channels>
+void scan_patches(const int32_t* unshot, uint16_t count, Scan& scan) {
+  for (uint16_t p = 0; p < count; ++p) {
     uint64_t flux = 0;
-    for (int c = 0; c < state.scene.channels; ++c) {
-      const uint32_t m = magnitude(*unshot++);
+    for (int c = 0; c < Channels; ++c) {
+      const int32_t own = *unshot++;
+      const uint32_t m = magnitude(own);
       scan.unshot[c] += m;
+      scan.balance[c] += own;
       flux += m;
     }
     if (flux > scan.brightest_flux) {
@@ -38,6 +41,14 @@ Scan scan_patches(const State& state) {
       scan.brightest = p;
     }
   }
+}
+
+Scan scan_patches(const State& state) {
+  Scan scan = {};
+  const auto scan_channels = state.scene.channels == 1   ? scan_patches<1>
+                             : state.scene.channels == 2 ? scan_patches<2>
+                                                         : scan_patches<3>;
+  scan_channels(state.unshot, state.scene.patch_count, scan);
   return scan;
 }
 
@@ -65,7 +76,7 @@ uint32_t wanted_eyes(const State& state, const Scan& scan) {
 
 // What the patch will still receive if the ambient estimate is right, but never more than its own unshot
 // flux: larger loans were seen to diverge.
-int32_t loan(const State& state, uint16_t patch, int c, int32_t unshot) {
+int32_t loan(const State& state, uint16_t patch, int c, int32_t unshot, Radiosity ambient) {
   const Scene& scene = state.scene;
   const Patch p = flash_read(scene.patches, patch);
   uint64_t area = 0;
@@ -74,19 +85,16 @@ int32_t loan(const State& state, uint16_t patch, int c, int32_t unshot) {
     area += flash_read(scene.elements, e).area;
   }
   const Material material = flash_read(scene.materials, flash_read(scene.faces, p.face).material);
-  const uint64_t radiosity = mul_high(material.reflectance[c], ambient_radiosity(state, c).raw);
+  const uint64_t radiosity = mul_high(material.reflectance[c], ambient.raw);
   const uint64_t flux = (radiosity * area) >> scene.radiosity_shift;
   return flux < static_cast<uint64_t>(unshot) ? static_cast<int32_t>(flux) : unshot;
 }
 
-void receive(State& state, uint16_t e, const Element& element, const Material& material, int c, Flux share) {
-  const unsigned channels = state.scene.channels;
-  int32_t& received = state.received[static_cast<uint32_t>(e) * channels + static_cast<unsigned>(c)];
-  const Reflectance reflectance = Reflectance::from_raw(material.reflectance[c]);
+// Books what an element receives; returns how much more it reflects now.
+Flux receive(int32_t& received, Reflectance reflectance, Flux share) {
   const Flux before = reflect(reflectance, Flux::from_raw(received));
   received += share.raw;
-  const Flux after = reflect(reflectance, Flux::from_raw(received));
-  state.unshot[element.patch * channels + static_cast<unsigned>(c)] += (after - before).raw;
+  return reflect(reflectance, Flux::from_raw(received)) - before;
 }
 
 // Flux of a shot below a running sum of form factors, per channel, for the element before.
@@ -112,10 +120,13 @@ void distribute(State& state, const Flux* amount) {
       continue;
     }
     sum += state.row.share[e];
-    const Element element = flash_read(scene.elements, e);
-    const Material material = flash_read(scene.materials, element.material);
+    const FIXRAD_FLASH Element& element = flash_at(scene.elements, e);
+    const FIXRAD_FLASH Material& material = flash_at(scene.materials, element.material);
+    int32_t* received = state.received + static_cast<uint32_t>(e) * scene.channels;
+    int32_t* unshot = unshot_of(state, element.patch);
     for (int c = 0; c < channels; ++c) {
-      receive(state, e, element, material, c, take_share(amount[c], sum, phase, below.flux[c]));
+      const Flux share = take_share(amount[c], sum, phase, below.flux[c]);
+      unshot[c] += receive(received[c], Reflectance::from_raw(material.reflectance[c]), share).raw;
     }
   }
   for (int c = 0; c < channels; ++c) {
@@ -159,7 +170,7 @@ Status shoot(State& state) {
   for (int c = 0; c < state.scene.channels; ++c) {
     amount[c].raw = unshot[c];
     if (overshoots && unshot[c] > 0) {
-      amount[c].raw += loan(state, scan.brightest, c, unshot[c]);
+      amount[c].raw += loan(state, scan.brightest, c, unshot[c], ambient_of(state, c, scan.balance[c]));
     }
   }
   const Observer& observer = state.settings.observer;

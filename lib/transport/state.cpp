@@ -86,14 +86,17 @@ Radiosity ambient_radiosity(const State& state, int c) {
   for (uint16_t p = 0; p < state.scene.patch_count; ++p) {
     unshot += state.unshot[static_cast<uint32_t>(p) * state.scene.channels + static_cast<unsigned>(c)];
   }
-  const uint64_t absorbing_area = state.absorbing_area[c];
-  if (unshot <= 0 || absorbing_area == 0) {
+  return ambient_of(state, c, unshot);
+}
+
+// (unshot / area) / (1 - mean reflectance) = unshot / absorbing area. Unshot flux is below 2^31 and the shift
+// at most 32, so the dividend fits.
+Radiosity ambient_of(const State& state, int c, int64_t unshot) {
+  if (unshot <= 0 || state.absorbing_area[c] == 0) {
     return Radiosity::from_raw(0);
   }
-  // (unshot / area) / (1 - mean reflectance) = unshot / absorbing area. Unshot flux is below 2^31 and the
-  // shift at most 32, so the dividend fits.
   return Radiosity::from_raw(
-      saturate((static_cast<uint64_t>(unshot) << state.scene.radiosity_shift) / absorbing_area));
+      saturate((static_cast<uint64_t>(unshot) << state.scene.radiosity_shift) / state.absorbing_area[c]));
 }
 
 Radiosity element_radiosity(const State& state, uint16_t e, int c, Radiosity ambient) {

@@ -88,6 +88,9 @@ Flux exitent_flux(const State& state, uint16_t e, int c);
 /// unshot radiosity over 1 - mean reflectance. An estimate for display: it never enters the ledger.
 Radiosity ambient_radiosity(const State& state, int c);
 
+/// The same for a known sum of unshot flux.
+Radiosity ambient_of(const State& state, int c, int64_t unshot);
+
 /// Radiosity of element `e`, channel `c`: (emitted + reflected) / area, plus reflectance x `ambient`.
 /// Saturates.
 Radiosity element_radiosity(const State& state, uint16_t e, int c, Radiosity ambient);
