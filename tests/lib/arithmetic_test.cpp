@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "lib/fixed/vec3.h"
@@ -44,14 +45,25 @@ TEST(Arithmetic, MulHighIsTheUpperHalfOfTheProduct) {
   EXPECT_EQ(mul_high(0xffffffffu, 1), 0u);
 }
 
-TEST(Arithmetic, FluxBelowEqualsThe64BitProduct) {
+TEST(Arithmetic, FluxBelowIsZeroAtTheStartAndTheWholeAtTheEnd) {
   Random random(1);
-  for (int i = 0; i < 200000; ++i) {
+  for (int i = 0; i < 100000; ++i) {
     const std::uint32_t flux = random.bits() >> random.between(1, 31);
-    const std::uint32_t sum = i % 3 == 0 ? 65536u - static_cast<std::uint32_t>(i % 2) : random.bits() >> 16;
-    ASSERT_EQ(flux_below(flux, sum), static_cast<std::uint32_t>((std::uint64_t{flux} * sum) >> 16));
+    const std::uint32_t phase = random.bits() >> 12;
+    ASSERT_EQ(flux_below(flux, 0, phase), 0u);
+    ASSERT_EQ(flux_below(flux, kRowOne, phase), flux);
   }
-  EXPECT_EQ(flux_below(0x7fffffffu, 65536), 0x7fffffffu);
+}
+
+TEST(Arithmetic, FluxBelowIsTheExactPartWithinOneUnit) {
+  Random random(7);
+  for (int i = 0; i < 100000; ++i) {
+    const std::uint32_t flux = random.bits() >> random.between(1, 31);
+    const std::uint32_t sum = random.bits() >> 12, phase = random.bits() >> 12;
+    const double exact = static_cast<double>(flux) * sum / kRowOne;
+    ASSERT_LT(std::abs(flux_below(flux, sum, phase) - exact), 1.0);
+    ASSERT_GE(flux_below(flux, sum + 1, phase), flux_below(flux, sum, phase));
+  }
 }
 
 TEST(Arithmetic, BlockNormaliseScalesTheLargestComponentIntoItsBits) {
@@ -94,10 +106,12 @@ TEST(ShareOf, PartsAddUpToTheWhole) {
   for (int i = 0; i < 5000; ++i) {
     const Flux amount = Flux::from_raw(static_cast<std::int32_t>(random.bits()) / random.between(2, 1000));
     std::int64_t total = 0;
+    const std::uint32_t phase = random.bits() >> 12;
     std::uint32_t sum = 0;
     while (sum < kRowOne) {
-      const std::uint32_t next = std::min(kRowOne, sum + static_cast<std::uint32_t>(random.between(0, 20000)));
-      const Flux part = share_of(amount, sum, next);
+      const std::uint32_t next =
+          std::min(kRowOne, sum + static_cast<std::uint32_t>(random.between(0, 200000)));
+      const Flux part = share_of(amount, sum, next, phase);
       ASSERT_TRUE(part.raw == 0 || (part.raw < 0) == (amount.raw < 0));
       total += part.raw;
       sum = next;
@@ -110,9 +124,12 @@ TEST(ShareOf, IsTheSameForLentFlux) {
   Random random(6);
   for (int i = 0; i < 20000; ++i) {
     const auto raw = static_cast<std::int32_t>(random.bits() >> 2);
-    const auto a = static_cast<std::uint32_t>(random.between(0, 65536));
-    const auto b = static_cast<std::uint32_t>(random.between(static_cast<int>(a), 65536));
-    ASSERT_EQ(share_of(Flux::from_raw(-raw), a, b).raw, -share_of(Flux::from_raw(raw), a, b).raw);
+    const auto one = static_cast<int>(kRowOne);
+    const int a = random.between(0, one), b = random.between(a, one);
+    const auto begin = static_cast<std::uint32_t>(a), end = static_cast<std::uint32_t>(b);
+    const std::uint32_t phase = random.bits() >> 12;
+    ASSERT_EQ(share_of(Flux::from_raw(-raw), begin, end, phase).raw,
+              -share_of(Flux::from_raw(raw), begin, end, phase).raw);
   }
 }
 

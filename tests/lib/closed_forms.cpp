@@ -21,7 +21,9 @@ double alternating_sum(const Rectangle& from, const Rectangle& to, const Primiti
   return sum / (2 * kPi * (from.x1 - from.x0) * (from.y1 - from.y0));
 }
 
-double times_log(double factor, double argument) { return argument > 0 ? factor * std::log(argument) : 0.0; }
+double times_log(double factor, double argument) {
+  return argument > 0 ? factor * std::log(argument) : 0.0;
+}
 
 // Rectangle from the point's foot to (x, y).
 double corner_factor(double x, double y, double z) {
@@ -81,6 +83,8 @@ std::array<double, 3> RefinedCube::face_means(double reflectance) const {
   const int count = n_ * n_;
   const auto size = static_cast<std::size_t>(count);
   std::vector<double> emitter(size, 1.0), far(size, 0.0), side(size, 0.0);
+  // A side seen from the far face, and from its neighbour across a vertical line.
+  std::vector<double> flipped(size), upright(size);
   const auto gather = [&](const std::vector<double>& factors, int x, int y, const std::vector<double>& from) {
     const double* row = factors.data() + static_cast<std::size_t>(x * n_ + y) * size;
     double sum = 0;
@@ -89,21 +93,22 @@ std::array<double, 3> RefinedCube::face_means(double reflectance) const {
     }
     return sum;
   };
-  // Between two sides the common line is vertical: rows and columns of the field change places.
-  std::vector<double> upright(size);
   double change = 1;
   while (change > 1e-7) {
     change = 0;
     for (int i = 0; i < count; ++i) {
       upright[static_cast<std::size_t>(i % n_ * n_ + i / n_)] = side[static_cast<std::size_t>(i)];
+      flipped[static_cast<std::size_t>((n_ - 1 - i / n_) * n_ + i % n_)] = side[static_cast<std::size_t>(i)];
     }
     for (int i = 0; i < count; ++i) {
       const int x = i / n_, y = i % n_, last = n_ - 1;
       const auto at = static_cast<std::size_t>(i);
-      const double from_sides = gather(adjacent_, x, y, side) + gather(adjacent_, last - x, y, side) +
-                                gather(adjacent_, y, x, side) + gather(adjacent_, last - y, x, side);
-      emitter[at] = 1 + reflectance * (gather(opposite_, x, y, far) + from_sides);
-      far[at] = reflectance * (gather(opposite_, x, y, emitter) + from_sides);
+      const auto from_sides = [&](const std::vector<double>& field) {
+        return gather(adjacent_, x, y, field) + gather(adjacent_, last - x, y, field) +
+               gather(adjacent_, y, x, field) + gather(adjacent_, last - y, x, field);
+      };
+      emitter[at] = 1 + reflectance * (gather(opposite_, x, y, far) + from_sides(side));
+      far[at] = reflectance * (gather(opposite_, x, y, emitter) + from_sides(flipped));
     }
     for (int i = 0; i < count; ++i) {
       const int x = i / n_, y = i % n_, last = n_ - 1;

@@ -13,7 +13,8 @@ constexpr int kFaceOfBox[6][4] = {{0, 2, 6, 4}, {1, 5, 7, 3}, {0, 4, 5, 1},
                                   {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 6, 7, 5}};  // seen from inside
 
 glm::dvec3 box_corner(glm::dvec3 low, glm::dvec3 high, int bits) {
-  return {(bits & 1) != 0 ? high.x : low.x, (bits & 2) != 0 ? high.y : low.y, (bits & 4) != 0 ? high.z : low.z};
+  return {(bits & 1) != 0 ? high.x : low.x, (bits & 2) != 0 ? high.y : low.y,
+          (bits & 4) != 0 ? high.z : low.z};
 }
 
 glm::dvec3 turned(glm::dvec3 p, glm::dvec3 about, double angle) {
@@ -27,16 +28,19 @@ glm::dvec3 random_colour(Random& random, double low, double high) {
   return {r, g, b};
 }
 
-void random_body(Random& random, ModelBuilder& builder, glm::dvec3 middle, double radius, std::uint32_t material) {
+// A lamp floats: a lit bottom that lies in the floor would shine into nothing.
+void random_body(Random& random, ModelBuilder& builder, glm::dvec3 middle, double radius,
+                 std::uint32_t material, bool is_lamp) {
   const double angle = random.real(0.0, 1.5);
   if (random.between(0, 2) == 0) {
     builder.octahedron({middle.x, radius + random.real(0.05, 0.5), middle.z}, radius, angle, material);
     return;
   }
-  const double bottom = random.between(0, 1) == 0 ? 0.0 : random.real(0.05, 0.6);
+  const double bottom = !is_lamp && random.between(0, 1) == 0 ? 0.0 : random.real(0.05, 0.6);
   const double x = radius * random.real(0.2, 0.7), z = radius * random.real(0.2, 0.7);
   const double height = random.real(0.1, 1.2);
-  builder.box({middle.x - x, bottom, middle.z - z}, {middle.x + x, bottom + height, middle.z + z}, angle, material);
+  builder.box({middle.x - x, bottom, middle.z - z}, {middle.x + x, bottom + height, middle.z + z}, angle,
+              material);
 }
 
 }  // namespace
@@ -68,14 +72,16 @@ void ModelBuilder::polygon(const std::vector<glm::dvec3>& corners, std::uint32_t
 
 void ModelBuilder::room(glm::dvec3 low, glm::dvec3 high, const std::array<std::uint32_t, 6>& materials) {
   for (std::size_t f = 0; f < 6; ++f) {
-    const int(&c)[4] = kFaceOfBox[f];
-    polygon({box_corner(low, high, c[3]), box_corner(low, high, c[2]), box_corner(low, high, c[1]),
-             box_corner(low, high, c[0])},
-            materials[f]);
+    std::vector<glm::dvec3> corners;
+    for (const int bits : kFaceOfBox[f]) {
+      corners.push_back(box_corner(low, high, bits));
+    }
+    polygon(corners, materials[f]);
   }
 }
 
-void ModelBuilder::box(glm::dvec3 low, glm::dvec3 high, double angle, std::uint32_t material, bool has_bottom) {
+void ModelBuilder::box(glm::dvec3 low, glm::dvec3 high, double angle, std::uint32_t material,
+                       bool has_bottom) {
   const glm::dvec3 middle = (low + high) / 2.0;
   for (std::size_t f = 0; f < 6; ++f) {
     if (f == 2 && !has_bottom) {
@@ -85,6 +91,7 @@ void ModelBuilder::box(glm::dvec3 low, glm::dvec3 high, double angle, std::uint3
     for (const int bits : kFaceOfBox[f]) {
       corners.push_back(turned(box_corner(low, high, bits), middle, angle));
     }
+    std::reverse(corners.begin(), corners.end());
     polygon(corners, material);
   }
 }
@@ -97,12 +104,8 @@ void ModelBuilder::octahedron(glm::dvec3 middle, double radius, double angle, st
     const glm::dvec3 a = middle + ((bits & 1) != 0 ? x : -x);
     const glm::dvec3 b = middle + ((bits & 2) != 0 ? y : -y);
     const glm::dvec3 d = middle + ((bits & 4) != 0 ? z : -z);
-    const bool is_odd = ((bits & 1) + ((bits >> 1) & 1) + ((bits >> 2) & 1)) % 2 != 0;
-    if (is_odd) {
-      polygon({a, d, b}, material);
-    } else {
-      polygon({a, b, d}, material);
-    }
+    const bool is_mirrored = ((bits & 1) + ((bits >> 1) & 1) + ((bits >> 2) & 1)) % 2 == 0;
+    polygon(is_mirrored ? std::vector{a, d, b} : std::vector{a, b, d}, material);
   }
 }
 
@@ -132,9 +135,9 @@ Model random_closed_room(std::uint32_t seed) {
   for (int i = 0; i < bodies; ++i) {
     const glm::dvec3 middle(size.x * (i % 2 == 0 ? 0.25 : 0.75), 0.0, size.z * (i < 2 ? 0.25 : 0.75));
     const bool is_lamp = !has_lit_wall && i == 0;
-    const std::uint32_t material = builder.material(random_colour(random, 0.0, 0.9),
-                                                    is_lamp ? random_colour(random, 0.1, 9.0) : glm::dvec3(0.0));
-    random_body(random, builder, middle, 0.7, material);
+    const std::uint32_t material = builder.material(
+        random_colour(random, 0.0, 0.9), is_lamp ? random_colour(random, 0.1, 9.0) : glm::dvec3(0.0));
+    random_body(random, builder, middle, 0.7, material, is_lamp);
   }
   return builder.model();
 }
@@ -146,7 +149,8 @@ Model random_open_room(std::uint32_t seed) {
   whole.room(glm::dvec3(0.0), {4.0, 3.0, 5.0}, {wall, wall, wall, wall, wall, wall});
   ModelBuilder builder;
   builder.material(whole.model().materials[0].reflectance);
-  const std::uint32_t lamp = builder.material(random_colour(random, 0.0, 0.5), random_colour(random, 1.0, 20.0));
+  const std::uint32_t lamp =
+      builder.material(random_colour(random, 0.0, 0.5), random_colour(random, 1.0, 20.0));
   for (std::size_t f = 0; f < 6; ++f) {
     if (f == 2 || random.between(0, 2) != 0) {
       std::vector<glm::dvec3> corners;
@@ -196,6 +200,8 @@ Model perpendicular_squares(double reflectance0, double emission0, double reflec
   return builder.model();
 }
 
-Model cornell() { return read_obj(FIXRAD_SOURCE_DIR "/scenes/cornell.obj"); }
+Model cornell() {
+  return read_obj(FIXRAD_SOURCE_DIR "/scenes/cornell.obj");
+}
 
 }  // namespace fixrad::host

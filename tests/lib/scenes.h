@@ -40,8 +40,8 @@ class ModelBuilder {
   void polygon(const std::vector<glm::dvec3>& corners, std::uint32_t material);
   /// An axis-parallel room seen from inside; faces in the order -x +x -y +y -z +z.
   void room(glm::dvec3 low, glm::dvec3 high, const std::array<std::uint32_t, 6>& materials);
-  /// A box seen from outside, turned by `angle` about the vertical (y) through its middle; without a bottom on
-  /// request.
+  /// A box seen from outside, turned by `angle` about the vertical (y) through its middle; without a bottom
+  /// on request.
   void box(glm::dvec3 low, glm::dvec3 high, double angle, std::uint32_t material, bool has_bottom = true);
   /// An octahedron seen from outside, tilted in every axis.
   void octahedron(glm::dvec3 middle, double radius, double angle, std::uint32_t material);
@@ -61,7 +61,8 @@ Model cube(double reflectance, const std::array<double, 6>& emission);
 /// another), standing on the floor or floating, and a lamp that is a wall or a body. RGB.
 Model random_closed_room(std::uint32_t seed);
 
-/// A room of which up to three walls are missing, with free boxes that may lack a bottom or pierce each other. RGB.
+/// A room of which up to three walls are missing, with free boxes that may lack a bottom or pierce each
+/// other. RGB.
 Model random_open_room(std::uint32_t seed);
 
 /// A closed lit cube of 4 m with a box of 1 x 1 x 1 m in the middle of its floor: without a bottom on the
