@@ -8,7 +8,7 @@ set -eu
 
 # command:package where any provider of the command will do, else a package that must be installed.
 build="g++:g++ cmake:cmake ninja:ninja-build libcli11-dev libtinygltf-dev nlohmann-json3-dev libpng-dev
-libeigen3-dev libembree-dev libtbb-dev libglm-dev libgtest-dev libgmock-dev libbenchmark-dev libtinyobjloader-dev"
+libeigen3-dev libembree-dev libtbb-dev libglm-dev libgeos-dev libgtest-dev libgmock-dev libbenchmark-dev libtinyobjloader-dev"
 checks="ca-certificates clang++:clang clang-format:clang-format clang-tidy:clang-tidy git:git python3:python3 node:nodejs npm:npm"
 
 case "${1:-}" in

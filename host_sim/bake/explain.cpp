@@ -60,7 +60,13 @@ int line_of(const PreparedScene& scene, std::uint32_t convex_face) {
   return scene.model->faces[scene.faces[convex_face].parts.front().input_face].line;
 }
 
-// Looks out of every lamp element: one that sees mostly backs is inside a body or behind a wall.
+struct LampArea {
+  double buried = 0, all = 0;
+  int line = 0;
+};
+
+// Looks out of every lamp element: a lamp material most of whose area sees backs is inside a body or behind a
+// wall.
 std::vector<std::string> buried_lamps(const PreparedScene& scene, const BakeResult& result) {
   SimulatedDevice probe(result.plan.sizes);
   const Scene view = result.device.view();
@@ -68,24 +74,30 @@ std::vector<std::string> buried_lamps(const PreparedScene& scene, const BakeResu
   if (probe.load(view, Settings{}) != Status::ok) {
     return lines;
   }
-  std::map<int, std::pair<int, int>> by_line;  // buried, all
+  std::map<std::uint16_t, LampArea> lamps;  // by material
   for (std::uint16_t e = 0; e < view.element_count; ++e) {
-    if (result.device.mesh.elements[e].emission == glm::dvec3(0.0)) {
+    const Element& element = result.device.elements[e];
+    const MeshElement& mesh = result.device.mesh.elements[e];
+    if (mesh.emission == glm::dvec3(0.0)) {
       continue;
     }
-    const EyePoint eye = {vec(result.device.elements[e].eye), result.device.elements[e].face, 0};
     std::uint32_t share = 0;
-    const Status status = back_share(view, kDelta8, eye, probe.state().work, share);
-    auto& count = by_line[line_of(scene, result.device.elements[e].face)];
-    count.first += status == Status::ok && share > kRowOne / 2 ? 1 : 0;
-    ++count.second;
+    const Status status = hidden_share(view, kDelta8, {vec(element.eye), element.face, 0}, result.is_closed,
+                                       probe.state().work, share);
+    LampArea& lamp = lamps[element.material];
+    if (status == Status::ok && share > kRowOne / 2) {
+      lamp.buried += mesh.area;
+      lamp.line = lamp.line == 0 ? line_of(scene, element.face) : lamp.line;
+    }
+    lamp.all += mesh.area;
   }
-  for (const auto& [line, count] : by_line) {
-    if (2 * count.first > count.second) {
-      lines.push_back(scene.model->path + ":" + std::to_string(line) +
-                      ": warning: this lamp faces into a body or the back of a wall, its light cannot get "
-                      "out; move it out or "
-                      "turn its normal");
+  for (const auto& [material, lamp] : lamps) {
+    if (2 * lamp.buried > lamp.all) {
+      lines.push_back(scene.model->path + ":" + std::to_string(lamp.line) +
+                      ": warning: the light of material '" + scene.model->materials[material].name +
+                      "' cannot get out, this face of it looks into a body or the back of a wall; move it "
+                      "out or turn its "
+                      "normal");
     }
   }
   return lines;

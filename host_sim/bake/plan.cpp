@@ -12,15 +12,14 @@ constexpr std::uint32_t kPiercing = 8;  // spans beyond twice the faces, for fac
 
 // Elements that a profile's accuracy needs: its own number, and several a face where there are many faces.
 std::uint32_t default_elements(const Profile& profile, std::uint32_t faces) {
-  const bool is_large = profile.patches == profile.elements;
-  return std::min(kMostElements, std::max(profile.elements, faces * (is_large ? 4u : 6u)));
+  return std::min(kMostElements, std::max(profile.elements, faces * 6u));
 }
 
 // Small profiles group elements for shooting, into as many patches however many elements there are: a further
 // element then costs its own bytes alone.
 std::uint32_t wanted_patches(const Profile& profile, std::uint32_t faces, std::uint32_t elements) {
   const bool shoots_itself = profile.patches == profile.elements;
-  return shoots_itself ? elements : std::min(elements, std::max(profile.patches, faces * 5 / 2));
+  return shoots_itself ? elements : std::min(elements, std::max(profile.patches, faces * 4));
 }
 
 BakePlan plan_for(const PreparedScene& scene, const BakeOptions& options, const Profile& profile,
@@ -30,14 +29,18 @@ BakePlan plan_for(const PreparedScene& scene, const BakeOptions& options, const 
   BakePlan plan;
   plan.profile = profile;
   plan.resolution = options.resolution.value_or(profile.resolution);
-  plan.meshing =
-      make_uniform(scene, elements, is_gathering ? elements : wanted_patches(profile, faces, elements));
+  const std::uint32_t patches = is_gathering ? elements : wanted_patches(profile, faces, elements);
+  plan.meshing = make_uniform(scene, elements, patches);
+  // Where elements are grouped the pool does not shrink with the mesh: a further element costs its own bytes
+  // alone.
+  const std::uint32_t patch_pool =
+      patches < elements ? std::max(patches, plan.meshing.patch_count) : plan.meshing.patch_count;
   const auto channels = static_cast<std::uint32_t>(scene.channels);
   const std::uint32_t n = plan.meshing.element_count;
   plan.sizes = {static_cast<std::uint32_t>(scene.vertices.positions.size()),
                 faces,
                 n,
-                plan.meshing.patch_count,
+                patch_pool,
                 std::min(65535u, 2 * faces + 1 + kPiercing),
                 channels,
                 options.engine == "pixels" ? static_cast<std::uint32_t>(plan.resolution) : 0u};

@@ -45,7 +45,7 @@ nlohmann::ordered_json measured(const LoadedScene& scene, const CommonOptions& o
           {"input_faces", scene.model.file_faces},
           {"faces", result.plan.sizes.faces},
           {"elements", result.plan.sizes.elements},
-          {"patches", result.plan.sizes.patches},
+          {"patches", result.plan.meshing.patch_count},
           {"vertices", result.surface.positions.size()},
           {"triangles", result.surface.triangles.size()},
           {"channels", result.plan.sizes.channels},
@@ -99,7 +99,7 @@ std::string faces_csv(const Model& model, const std::vector<glm::dvec3>& means) 
 std::string summary(const BakeResult& result) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(3) << result.plan.sizes.elements << " elements, "
-       << result.plan.sizes.patches << " patches, " << result.shots
+       << result.plan.meshing.patch_count << " patches, " << result.shots
        << (result.plan.matrix_bytes > 0 ? " sweeps, " : " shots, ") << 100 * result.unshot_fraction
        << " % unshot, " << result.seconds << " s, " << result.plan.ram() << " bytes of RAM, digest "
        << hex(result.digest);
@@ -109,6 +109,10 @@ std::string summary(const BakeResult& result) {
 }  // namespace
 
 int run_bake(const CommonOptions& options) {
+  for (const std::string& output : options.outputs) {
+    check_folder(output);
+  }
+  check_folder(options.faces_csv);
   const auto scene = load_scene(options);
   BakeResult result;
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <chrono>
 #include <cstdio>
+#include <glm/exponential.hpp>
 #include <nlohmann/json.hpp>
 
 #include "host_sim/cli/session.h"
@@ -14,7 +15,7 @@
 namespace fixrad::host {
 namespace {
 
-constexpr std::uint32_t kPaths = 6000000;      // of the truth, shared among the elements
+constexpr std::uint32_t kPaths = 10000000;     // of the truth, shared among the elements
 constexpr std::uint32_t kTruthElements = 400;  // only where paths start; the traced geometry is exact
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -27,6 +28,22 @@ struct Truth {
   double seconds = 0;
 };
 
+// Elements are independent, so the variances of a face's elements add up; the result is relative as
+// FaceMeanError::mean.
+double mean_standard_error(const Model& model, const std::vector<Overlap>& overlaps,
+                           const std::vector<glm::dvec3>& errors, const std::vector<glm::dvec3>& means,
+                           const std::vector<double>& areas, const std::vector<bool>& emits) {
+  std::vector<glm::dvec3> variance(model.faces.size(), glm::dvec3(0.0));
+  for (const Overlap& o : overlaps) {
+    const glm::dvec3 part = o.area / areas[o.input_face] * errors[o.element];
+    variance[o.input_face] += part * part;
+  }
+  for (std::size_t f = 0; f < variance.size(); ++f) {
+    variance[f] = means[f] + glm::sqrt(variance[f]);
+  }
+  return compare_face_means(variance, means, areas, emits).mean;
+}
+
 Truth trace_truth(const LoadedScene& scene, const std::vector<double>& areas,
                   const std::vector<bool>& emits) {
   const auto start = std::chrono::steady_clock::now();
@@ -37,12 +54,8 @@ Truth trace_truth(const LoadedScene& scene, const std::vector<double>& areas,
   const PathTracedRadiosity traced = path_traced_radiosity(device.mesh, options);
   Truth truth;
   truth.means = face_means(scene.model, device.overlaps, traced.mean);
-  std::vector<glm::dvec3> shifted = traced.mean;
-  for (std::size_t e = 0; e < shifted.size(); ++e) {
-    shifted[e] += traced.standard_error[e];
-  }
   truth.standard_error =
-      compare_face_means(face_means(scene.model, device.overlaps, shifted), truth.means, areas, emits).mean;
+      mean_standard_error(scene.model, device.overlaps, traced.standard_error, truth.means, areas, emits);
   truth.seconds = seconds_since(start);
   return truth;
 }
@@ -93,6 +106,7 @@ int run_compare(const CommonOptions& options) {
   if (options.bake.solver == "gathering") {
     throw InputError("fixrad: error: compare replays shots; leave out --solver gathering");
   }
+  check_folder(options.json);
   const auto scene = load_scene(options);
   const Model& model = scene->model;
   std::unique_ptr<Recorder> recorder;
@@ -112,6 +126,7 @@ int run_compare(const CommonOptions& options) {
     say(options, "interrupted: nothing to compare");
     return kInterrupted;
   }
+  exit_on_interrupt();
   const DeviceScene& device = result.device;
   auto start = std::chrono::steady_clock::now();
   Twin twin(device.view(), make_settings(options.bake, result.plan));
@@ -146,6 +161,7 @@ int run_compare(const CommonOptions& options) {
        factors.worst, reference_seconds},
       {"mesh", "accurate form factors on this mesh / truth", mesh.mean, mesh.worst, truth.seconds},
       {"total", "fixed point / truth", total.mean, total.worst, result.seconds}};
+  catch_interrupt();
   print(*scene, result, truth, lines);
   if (!options.json.empty()) {
     write_text(options.json, to_json(result, truth, lines).dump(2) + "\n");

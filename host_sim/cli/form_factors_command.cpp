@@ -54,6 +54,7 @@ Matrix face_factors(const LoadedScene& scene, const BakeResult& solution_frame, 
 }  // namespace
 
 int run_form_factors(const CommonOptions& options) {
+  check_folder(options.csv);
   const auto scene = load_scene(options);
   BakeOptions choice = options.bake;
   choice.profile = "host";

@@ -17,7 +17,7 @@ void print_profile(const LoadedScene& scene, BakeOptions options, const Profile&
   try {
     const BakePlan plan = make_plan(scene.prepared, options);
     char text[160];
-    std::snprintf(text, sizeof text, "%8u %8u %6d %9u %9zu", plan.sizes.elements, plan.sizes.patches,
+    std::snprintf(text, sizeof text, "%8u %8u %6d %9u %9zu", plan.sizes.elements, plan.meshing.patch_count,
                   plan.resolution, plan.ram(), make_device_scene(scene.prepared, plan.meshing).rom_bytes());
     print_row(profile, text);
   } catch (const InputError&) {

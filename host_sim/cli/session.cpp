@@ -20,6 +20,12 @@ void on_interrupt(int) {
   interrupted = true;
 }
 
+void exit_now(int) {
+  constexpr char kLine[] = "interrupted: nothing written\n";
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kLine, sizeof kLine - 1);
+  _exit(kInterrupted);
+}
+
 double brightness(glm::dvec3 b) {
   return b.x + b.y + b.z;
 }
@@ -33,6 +39,24 @@ void catch_interrupt() {
 
 bool is_interrupted() {
   return interrupted;
+}
+
+void exit_on_interrupt() {
+  if (interrupted) {
+    exit_now(SIGINT);
+  }
+  std::signal(SIGINT, exit_now);
+  std::signal(SIGTERM, exit_now);
+}
+
+void check_folder(const std::string& file) {
+  const std::filesystem::path path = file;
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  std::error_code unreadable;
+  if (!std::filesystem::is_directory(folder, unreadable)) {
+    throw InputError(file + ": error: cannot write the file: the folder " + folder.string() +
+                     " does not exist; create it or name another file");
+  }
 }
 
 void say(const CommonOptions& options, const std::string& line) {

@@ -25,6 +25,14 @@ void say(const CommonOptions& options, const std::string& line);
 void catch_interrupt();
 bool is_interrupted();
 
+/// Makes Ctrl-C end the program at once with kInterrupted, for work that cannot be asked to stop and has no
+/// file open. catch_interrupt() takes it back.
+void exit_on_interrupt();
+
+/// Throws InputError unless the folder of `file` exists; an empty name is no file. Asked before any work:
+/// nobody wants to wait for a result that has nowhere to go, or find half of the files.
+void check_folder(const std::string& file);
+
 /// Progress of a solution: a bar with shots, unshot fraction and time left on a terminal, nothing in a log.
 class ProgressBar {
  public:

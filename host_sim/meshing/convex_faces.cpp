@@ -12,8 +12,8 @@
 namespace fixrad::host {
 namespace {
 
-// Within the core's kPlaneTolerance, with room for its rounded normal (16383 / 2^15 = 0.5 units) and for
-// measuring from another corner.
+// Within the core's kPlaneTolerance of 3, with room for its rounded normal: half a unit of 2^-14 an axis over
+// 16383 grid units is at most 1.5 units.
 constexpr double kPlanar = 1.0;
 constexpr double kConvex = 1.0;
 

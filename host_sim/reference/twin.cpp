@@ -45,6 +45,9 @@ void Twin::shoot(const RecordedShot& shot, const EyeSample* eyes) {
   for (std::size_t i = 0; i < shot.eye_count; ++i) {
     hemicube_.add(eyes[i], row_);
   }
+  if (shot.eye_count == 0) {
+    keep_light(shot.patch);
+  }
   const std::size_t channels = scene_.channels;
   double amount[kMaxChannels] = {};
   for (std::size_t c = 0; c < channels; ++c) {
@@ -64,6 +67,14 @@ void Twin::shoot(const RecordedShot& shot, const EyeSample* eyes) {
       received_[e * channels + c] += share;
       unshot[c] += scene_.reflectance[e * channels + c] * share;
     }
+  }
+}
+
+// A patch in contact with another face: its light stays on its own elements, as in the core.
+void Twin::keep_light(std::size_t patch) {
+  const auto count = std::count(scene_.element_patch.begin(), scene_.element_patch.end(), patch);
+  for (std::size_t e = 0; e < scene_.element_count(); ++e) {
+    row_.share[e] = scene_.element_patch[e] == patch ? 1.0 / static_cast<double>(count) : 0.0;
   }
 }
 

@@ -52,6 +52,8 @@ class Twin {
   std::vector<glm::dvec3> element_radiosity(double unit_watts, double area_unit) const;
 
  private:
+  void keep_light(std::size_t patch);
+
   TwinScene scene_;
   TwinHemicube hemicube_;
   TwinFormFactors row_;

@@ -95,6 +95,12 @@ const char* describe(Status status) {
       return "the emitted flux leaves no headroom for its reflections";
     case Status::span_pool_full:
       return "a row shows more spans than the pool holds";
+    case Status::item_buffer_too_small:
+      return "the item buffer is smaller than the hemicube's resolution";
+    case Status::bad_frame:
+      return "a face's tangent is not perpendicular to its normal, or its axes leave the grid";
+    case Status::bad_unit:
+      return "a shift of the flux or radiosity unit is out of range";
     case Status::bad_eye:
       return "an eye point does not lie on the lit side of its face";
   }

@@ -10,12 +10,18 @@ int32_t along(int32_t axis, int i, int level, int cells) {
   return axis * kEyeScale * (2 * i + 1 - level) / (2 * level * cells);
 }
 
+// Keeps an eye where load() has seen its neighbours: axes that do not fit their face must not lead off the
+// grid.
+int32_t on_grid(int32_t a) {
+  return a < 0 ? 0 : (a > 0xffff ? 0xffff : a);
+}
+
 Vec3 sub_cell(const Face& face, Vec3 centre, int level, int i, int j) {
   const Vec3 u = vec(face.axis_u);
   const Vec3 v = vec(face.axis_v);
-  return {centre.x + along(u.x, i, level, face.cells_u) + along(v.x, j, level, face.cells_v),
-          centre.y + along(u.y, i, level, face.cells_u) + along(v.y, j, level, face.cells_v),
-          centre.z + along(u.z, i, level, face.cells_u) + along(v.z, j, level, face.cells_v)};
+  return {on_grid(centre.x + along(u.x, i, level, face.cells_u) + along(v.x, j, level, face.cells_v)),
+          on_grid(centre.y + along(u.y, i, level, face.cells_u) + along(v.y, j, level, face.cells_v)),
+          on_grid(centre.z + along(u.z, i, level, face.cells_u) + along(v.z, j, level, face.cells_v))};
 }
 
 bool is_whole_cell(const Element& element, const Face& face) {

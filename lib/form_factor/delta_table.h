@@ -13,7 +13,7 @@ namespace fixrad {
 /// Units of 2^-20: top plus four sides sum to exactly 2^20. A row is symmetric about its middle and the top
 /// also from row to row, so a table holds R/2 rows of R/2 entries: entry i of row r is the sum from the
 /// middle of the row to the i+1-th pixel border. Row 0 is the one next to the middle of the top, or next to
-/// the horizon of a side. UQ0.20 in 16 bits: the fullest half row, at R = 8, holds 0.0511 = 53,600 / 2^20.
+/// the horizon of a side. UQ0.20 in 16 bits: the fullest half row, at R = 8, holds 0.0494 = 51,824 / 2^20.
 struct DeltaTable {
   uint8_t resolution_log2;            ///< k, R = 2^k pixels along an edge of the hemicube, 3..7
   const FIXRAD_FLASH uint16_t* top;   ///< [R/2][R/2]

@@ -28,13 +28,15 @@ Status hemicube_rows(const Scene& scene, const DeltaTable& table, const EyeSampl
                      FormFactorRow& row);
 
 /// The classical hemicube (Cohen & Greenberg 1985): each element's polygon is scan-converted into an item
-/// buffer of R x R pixels a side. The baseline. Needs item_capacity >= R * R.
+/// buffer of R x R pixels a side. The baseline. Status
+/// item_buffer_too_small unless item_capacity >= R * R.
 Status hemicube_pixels(const Scene& scene, const DeltaTable& table, const EyeSample& sample, Workspace& work,
                        FormFactorRow& row);
 
-/// Fraction of the hemisphere, UQ1.20, in which the nearest face shows its back. More than half: the eye is
-/// buried in a body that stands on its face.
-Status back_share(const Scene& scene, const DeltaTable& table, const EyePoint& eye, Workspace& work,
-                  uint32_t& share);
+/// Fraction of the hemicube's top, UQ12.20, that is hidden: the nearest face shows its back, or, where
+/// `nothing_hides`, there is no face at all (from inside an enclosed scene: the eye lies behind a wall). More
+/// than half: the eye is buried. The top alone, since what buries an eye stands over it. Cost: R rows.
+Status hidden_share(const Scene& scene, const DeltaTable& table, const EyePoint& eye, bool nothing_hides,
+                    Workspace& work, uint32_t& share);
 
 }  // namespace fixrad

@@ -64,6 +64,9 @@ void draw_side(const Scene& scene, int side, uint8_t resolution_log2, Workspace&
 
 Status hemicube_pixels(const Scene& scene, const DeltaTable& table, const EyeSample& sample, Workspace& work,
                        FormFactorRow& row) {
+  if ((static_cast<uint32_t>(1) << (2 * table.resolution_log2)) > work.item_capacity) {
+    return Status::item_buffer_too_small;
+  }
   make_view(scene, sample.eye, sample.back_faces, work);
   RowWriter writer(row, sample.begin, sample.weight);
   const int size = 1 << table.resolution_log2;

@@ -42,8 +42,7 @@ class RowWriter {
 
   /// Everything from the end of the last call up to `sum` (UQ1.20 over the hemicube) falls on `slot`.
   void add(uint16_t slot, uint32_t sum) {
-    const uint32_t end =
-        begin_ + static_cast<uint32_t>((static_cast<uint64_t>(sum) * weight_ + kRowOne / 2) >> 20);
+    const uint32_t end = weight_ == kRowOne ? sum : begin_ + part_of(sum);
     const uint32_t part = end - written_;
     written_ = end;
     if (part != 0) {
@@ -52,6 +51,10 @@ class RowWriter {
   }
 
  private:
+  uint32_t part_of(uint32_t sum) const {
+    return static_cast<uint32_t>((static_cast<uint64_t>(sum) * weight_ + kRowOne / 2) >> 20);
+  }
+
   void give(uint16_t slot, uint32_t part) {
     if (slot == kEscapedSlot) {
       row_.escaped += part;

@@ -84,30 +84,39 @@ Status hemicube_rows(const Scene& scene, const DeltaTable& table, const EyeSampl
   return Status::ok;
 }
 
-Status back_share(const Scene& scene, const DeltaTable& table, const EyePoint& eye, Workspace& work,
-                  uint32_t& share) {
-  // A probe wants only what is seen from behind: elements are irrelevant, so the row has none but one bin for
-  // all.
+namespace {
+
+uint32_t hidden_on_row(const VisibleSpans& visible, const DeltaRow& delta, bool nothing_hides,
+                       const Workspace& work) {
+  uint32_t sum = 0;
+  for (uint16_t i = visible.first(); i != kNoSpan; i = visible[i].next) {
+    const uint16_t view = visible[i].view;
+    if (view == kNothing ? nothing_hides : work.views[view].is_back) {
+      sum += delta.sum_to(visible.end_of(i)) - delta.sum_to(visible[i].start);
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+Status hidden_share(const Scene& scene, const DeltaTable& table, const EyePoint& eye, bool nothing_hides,
+                    Workspace& work, uint32_t& share) {
   make_view(scene, eye, true, work);
   VisibleSpans visible(work);
   const int size = 1 << table.resolution_log2;
-  uint32_t back = 0;
-  for (int side = 0; side < kSides; ++side) {
-    enter_side(scene, side, table.resolution_log2, work);
-    for (int r = side == kTop ? 0 : size / 2; r < size; ++r) {
-      const RowPosition at = row_position(r, table.resolution_log2);
-      if (!find_visible(scene, at, work, visible)) {
-        return Status::span_pool_full;
-      }
-      const DeltaRow delta = delta_row(table, side == kTop, r);
-      for (uint16_t i = visible.first(); i != kNoSpan; i = visible[i].next) {
-        if (visible[i].view != kNothing && work.views[visible[i].view].is_back) {
-          back += delta.sum_to(visible.end_of(i)) - delta.sum_to(visible[i].start);
-        }
-      }
+  enter_side(scene, kTop, table.resolution_log2, work);
+  uint32_t hidden = 0;
+  uint32_t all = 0;
+  for (int r = 0; r < size; ++r) {
+    if (!find_visible(scene, row_position(r, table.resolution_log2), work, visible)) {
+      return Status::span_pool_full;
     }
+    const DeltaRow delta = delta_row(table, true, r);
+    hidden += hidden_on_row(visible, delta, nothing_hides, work);
+    all += 2 * delta.half_total;
   }
-  share = back;
+  share = static_cast<uint32_t>(static_cast<uint64_t>(hidden) * kRowOne / all);
   return Status::ok;
 }
 

@@ -45,8 +45,8 @@ void enter_side(const Scene& scene, int side, int resolution_log2, Workspace& wo
 ///
 /// Which edges cross the row follows from the side of the row's plane that each vertex is on, the same for
 /// all faces that share the vertex, and an edge's crossing is computed from its lower to its upper end, the
-/// same for both faces that share it: neighbours tile the row without a gap, whatever was rounded. Cost: two
-/// products a corner, two divisions.
+/// same for both faces that share it: neighbours tile the row without a gap, whatever was rounded. Cost: a
+/// compare a corner in front of the eye, two products, a division where an edge begins.
 Interval face_interval(const Scene& scene, const RowPosition& at, const Direction* directions,
                        FaceView& view);
 

@@ -24,6 +24,18 @@ bool is_unit(Vec3 n) {
   return length2 > one - slack && length2 < one + slack;
 }
 
+// Both vectors are rounded by at most 1/2 a component, so their product is off by at most 3/2 (sqrt(3) kUnit)
+// or so.
+bool is_frame(const Face& face) {
+  const int64_t n[3] = {face.normal[0], face.normal[1], face.normal[2]};
+  const int64_t off = wide_dot(n, vec(face.tangent));
+  const uint32_t longest = max_magnitude(vec(face.axis_u)) > max_magnitude(vec(face.axis_v))
+                               ? max_magnitude(vec(face.axis_u))
+                               : max_magnitude(vec(face.axis_v));
+  const int64_t slack = 4 * static_cast<int64_t>(kUnit);
+  return is_unit(vec(face.tangent)) && off < slack && off > -slack && longest <= 2 * kGridMax;
+}
+
 Vec3 corner_position(const Scene& scene, const Face& face, int k) {
   return vec(flash_read(scene.vertices, corner_vertex(scene, face, k % face.corner_count)));
 }
@@ -62,8 +74,11 @@ Status check_corners(const Scene& scene, const Face& face) {
 // edges.
 Status check_shape(const Scene& scene, const Face& face) {
   const Vec3 n = vec(face.normal);
-  if (!is_unit(n) || !is_unit(vec(face.tangent))) {
+  if (!is_unit(n)) {
     return Status::not_planar;
+  }
+  if (!is_frame(face)) {
+    return Status::bad_frame;
   }
   const Vec3 first = corner_position(scene, face, 0);
   int64_t area = 0;
@@ -185,7 +200,10 @@ Status check_counts(const Scene& scene, const Capacity& capacity) {
   if (scene.element_count > capacity.elements) {
     return Status::too_many_elements;
   }
-  return scene.patch_count > capacity.patches ? Status::too_many_patches : Status::ok;
+  if (scene.patch_count > capacity.patches) {
+    return Status::too_many_patches;
+  }
+  return scene.emission_shift <= 63 && scene.radiosity_shift <= 32 ? Status::ok : Status::bad_unit;
 }
 
 Status check_faces(const Scene& scene) {
@@ -234,6 +252,20 @@ int edge_balance(const Scene& scene, uint16_t a, uint16_t b) {
   return balance;
 }
 
+// Six times the signed volume under the faces, positive for bodies seen from outside. Differences of 15 bits:
+// a term has 46 bits at most.
+int64_t signed_volume(const Scene& scene) {
+  int64_t sum = 0;
+  for (uint16_t f = 0; f < scene.face_count; ++f) {
+    const Face face = flash_read(scene.faces, f);
+    const Vec3 a = corner_position(scene, face, 0);
+    for (int k = 1; k + 1 < face.corner_count; ++k) {
+      sum += turn_about(corner_position(scene, face, k), corner_position(scene, face, k + 1), a);
+    }
+  }
+  return sum;
+}
+
 }  // namespace
 
 Status check_scene(const Scene& scene, const Capacity& capacity) {
@@ -261,6 +293,10 @@ bool is_closed(const Scene& scene) {
     }
   }
   return scene.face_count > 0;
+}
+
+bool is_enclosed(const Scene& scene) {
+  return is_closed(scene) && signed_volume(scene) < 0;
 }
 
 }  // namespace fixrad

@@ -12,7 +12,7 @@ struct Capacity {
   uint8_t channels;
 };
 
-/// Checks everything that the solver later relies on without looking: indices, coordinates on the grid,
+/// Checks what the solver later relies on without looking: indices, coordinates on the grid,
 /// planarity and convexity within the grid, areas, eye points, reflectance headroom, emission, capacity.
 /// Reads only. Returns ok or the first fault. Cost: linear, but for corners within a face.
 Status check_scene(const Scene& scene, const Capacity& capacity);
@@ -21,5 +21,9 @@ Status check_scene(const Scene& scene, const Capacity& capacity);
 /// way as the other, where several meet). Cost: quadratic in the number of corners, stops at the first open
 /// edge.
 bool is_closed(const Scene& scene);
+
+/// Closed, and light is inside: the faces, taken together, bound their volume from within, as a room does. A
+/// body in empty space is closed, but its light escapes.
+bool is_enclosed(const Scene& scene);
 
 }  // namespace fixrad

@@ -23,9 +23,12 @@ enum class Status : uint8_t {
   not_convex,                 ///< a corner turns the wrong way round the normal
   reflectance_not_below_one,  ///< leaves no headroom: flux / (1 - reflectance) would overflow
   no_emitter,                 ///< no flux at all is emitted
-  flux_overflow,   ///< emitted flux too large for 1/(1 - reflectance) headroom; use a larger flux unit
-  span_pool_full,  ///< a row of the hemicube shows more spans than the pool holds
-  bad_eye,         ///< an eye point that does not lie on the lit side of its face
+  flux_overflow,          ///< emitted flux too large for 1/(1 - reflectance) headroom; use a larger flux unit
+  span_pool_full,         ///< a row of the hemicube shows more spans than the pool holds
+  item_buffer_too_small,  ///< hemicube_pixels needs R x R items; raise Limits::pixel_resolution
+  bad_frame,              ///< a tangent that is not perpendicular to its normal, or axes beyond the grid
+  bad_unit,               ///< emission_shift above 63 or radiosity_shift above 32
+  bad_eye,                ///< an eye point that does not lie on the lit side of its face
 };
 
 }  // namespace fixrad

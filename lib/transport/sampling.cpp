@@ -36,7 +36,8 @@ Status look(State& state, const EyeSample& sample) {
 
 Status is_buried(State& state, const EyePoint& eye, bool& buried) {
   uint32_t share = 0;
-  const Status status = back_share(state.scene, *state.settings.probe, eye, state.work, share);
+  const Status status =
+      hidden_share(state.scene, *state.settings.probe, eye, state.is_enclosed, state.work, share);
   buried = share > kBuriedShare;
   state.withdrawn += buried ? 1u : 0u;
   return status;
@@ -74,6 +75,15 @@ Status sample_centroid(State& state, const EyeSource& source, Centroid& centroid
     }
   }
   return status;
+}
+
+void keep_light(State& state, const EyeSource& source) {
+  uint32_t given = 0;
+  for (uint16_t i = 0; i < source.count; ++i) {
+    const uint32_t end = kRowOne * (i + 1u) / source.count;
+    state.row.share[source_element(state.scene, source, i)] += end - given;
+    given = end;
+  }
 }
 
 class EyeSet {
@@ -160,7 +170,12 @@ Status sample_source(State& state, const EyeSource& source, uint32_t wanted, Cen
       return eyes.sample();
     }
   }
-  // All buried: what little arrived here leaves from the centroid.
+  // All buried. In an enclosed scene the face lies in contact with another: its light stays there until it is
+  // absorbed. Elsewhere what little arrived leaves from the centroid.
+  if (state.is_enclosed) {
+    keep_light(state, source);
+    return Status::ok;
+  }
   return look(state, {eye_at(state, vec(source.centre), source.face), 0, kRowOne, !state.is_closed});
 }
 

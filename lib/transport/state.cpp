@@ -23,6 +23,7 @@ void reset(State& state, const Scene& scene, const Settings& settings) {
   state.shots = state.eyes = state.withdrawn = 0;
   state.turn = 0;
   state.is_closed = is_closed(scene);
+  state.is_enclosed = state.is_closed && is_enclosed(scene);
   const unsigned channels = scene.channels;
   for (unsigned i = 0; i < scene.patch_count; ++i) {
     state.centroid[i] = Centroid::unknown;

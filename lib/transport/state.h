@@ -60,7 +60,8 @@ struct State {
   uint32_t eyes;
   uint32_t withdrawn;  ///< eye points thrown away because they were buried
   uint8_t turn;        ///< next angle of the fixed sequence
-  bool is_closed;
+  bool is_closed;      ///< back faces are never the nearest
+  bool is_enclosed;    ///< and no light can escape
 };
 
 /// Puts `scene` into `state`: nothing received, every emitter's flux unshot. The caller has checked the

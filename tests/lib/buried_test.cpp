@@ -129,7 +129,7 @@ TEST(BackShare, IsOneInsideAClosedBodyAndZeroInTheOpen) {
         static_cast<std::uint16_t>(floor),
         5};
     std::uint32_t share = 0;
-    EXPECT_EQ(back_share(state.scene, kDelta8, eye, state.work, share), Status::ok);
+    EXPECT_EQ(hidden_share(state.scene, kDelta8, eye, false, state.work, share), Status::ok);
     return share;
   };
   EXPECT_EQ(share_at(2.0, 2.0), kRowOne);

@@ -86,6 +86,7 @@ void TwinRoom::add_elements(const Face& face, std::uint16_t face_index, unsigned
       Element element = {};
       element.area = face.cell_area;
       element.face = face_index;
+      element.material = face.material;
       element.patch = static_cast<std::uint16_t>(patches_.size() + v / block * (n / block) + u / block);
       store_eye(face, u + 0.5, v + 0.5, element.eye);
       elements_.push_back(element);

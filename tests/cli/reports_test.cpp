@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+
+#include "tests/cli/tool.h"
+
+namespace fixrad::host::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(Compare, PrintsTheErrorBudgetLineByLine) {
+  const ScratchFolder folder;
+  const Outcome run = run_tool(
+      {"compare", sample_scene("closed_box"), "--profile", "tiny", "--json", folder / "errors.json"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const auto json = nlohmann::json::parse(contents(folder / "errors.json"));
+  ASSERT_EQ(json["errors"].size(), 4u);
+  const char* names[] = {"arithmetic", "form factors", "mesh", "total"};
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_THAT(run.out, HasSubstr("\n  " + std::string(names[k]) + " "));
+    EXPECT_EQ(json["errors"][k]["name"], names[k]);
+    EXPECT_GE(json["errors"][k]["mean"].get<double>(), 0.0);
+    EXPECT_GE(json["errors"][k]["worst"].get<double>(), 0.0);
+    EXPECT_GE(json["errors"][k]["seconds"].get<double>(), 0.0);
+  }
+  EXPECT_LE(json["errors"][0]["mean"].get<double>(), 0.0015);
+  EXPECT_LE(json["errors"][0]["worst"].get<double>(), 0.015);
+}
+
+TEST(Compare, RefusesWhatCannotBeReplayed) {
+  const Outcome run = run_tool({"compare", sample_scene("closed_box"), "--solver", "gathering"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(lines_of(run.err).size(), 1u);
+}
+
+TEST(Info, SaysWhatTheSceneNeedsOnEachProfile) {
+  const Outcome run = run_tool({"info", sample_scene("colonnade"), "--profile", "small"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("span pool"));
+  EXPECT_THAT(run.out, HasSubstr("grey: one channel"));
+  for (const char* profile : {"tiny", "small", "medium", "large"}) {
+    EXPECT_THAT(run.out, HasSubstr("\n  " + std::string(profile) + " "));
+  }
+  EXPECT_THAT(run.out, HasSubstr("does not fit"));  // 58 faces on 6 KB
+}
+
+}  // namespace
+}  // namespace fixrad::host::testing
