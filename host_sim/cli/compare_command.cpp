@@ -15,7 +15,7 @@
 namespace fixrad::host {
 namespace {
 
-constexpr std::uint32_t kPaths = 10000000;     // of the truth, shared among the elements
+constexpr std::uint32_t kPaths = 4000000;      // of the truth, shared among the elements
 constexpr std::uint32_t kTruthElements = 400;  // only where paths start; the traced geometry is exact
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
