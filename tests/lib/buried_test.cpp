@@ -138,5 +138,39 @@ TEST(BackShare, IsOneInsideAClosedBodyAndZeroInTheOpen) {
   EXPECT_EQ(share_at(3.9, 2.0), 0u);
 }
 
+// A lamp body with the floor or the ceiling in contact: its hidden face looks out behind the wall.
+class LampInContact : public testing::TestWithParam<double> {};
+
+TEST_P(LampInContact, LosesNoLightFromAClosedRoom) {
+  ModelBuilder builder;
+  const std::uint32_t wall = builder.material(glm::dvec3(0.7, 0.6, 0.5));
+  const std::uint32_t lamp = builder.material(glm::dvec3(0.2), glm::dvec3(5.0));
+  builder.room({0, 0, 0}, {4, 2.5, 3}, {wall, wall, wall, wall, wall, wall});
+  builder.box({1, GetParam(), 1}, {1.5, GetParam() + 0.25, 1.5}, 0.0, lamp);
+  Solution solution(builder.model(), options_of(200, 200));
+  ASSERT_EQ(solution.run(), Status::converged);
+  ASSERT_TRUE(solution.state().is_enclosed);
+  for (int c = 0; c < 3; ++c) {
+    const Ledger sum = ledger(solution.state(), c);
+    EXPECT_EQ(sum.imbalance(), 0);
+    EXPECT_EQ(sum.escaped, 0);
+    EXPECT_EQ(sum.back, 0);
+    EXPECT_GT(sum.absorbed, sum.emitted * 99 / 100);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(FloorAndCeiling, LampInContact, testing::Values(0.0, 2.25));
+
+TEST(Enclosed, ABodyInEmptySpaceIsClosedButItsLightEscapes) {
+  ModelBuilder builder;
+  builder.box({0, 0, 0}, {1, 1, 1}, 0.0, builder.material(glm::dvec3(0.5), glm::dvec3(1.0)));
+  Solution solution(builder.model(), options_of(24, 24));
+  EXPECT_TRUE(solution.state().is_closed);
+  EXPECT_FALSE(solution.state().is_enclosed);
+  ASSERT_EQ(solution.run(), Status::converged);
+  const Ledger sum = ledger(solution.state(), 0);
+  EXPECT_EQ(sum.escaped + sum.unshot, sum.emitted);
+}
+
 }  // namespace
 }  // namespace fixrad::host
