@@ -19,9 +19,11 @@ double distance(glm::dvec3 a, glm::dvec3 b) {
 
 FaceMeanError compare_face_means(const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>& b,
                                  const std::vector<double>& areas, const std::vector<bool>& emits) {
+  // Where every face emits, as in a furnace, there is nothing to leave out.
+  const bool counts_all = std::find(emits.begin(), emits.end(), false) == emits.end();
   double error = 0, light = 0, area = 0;
   for (std::size_t f = 0; f < b.size(); ++f) {
-    if (!emits[f]) {
+    if (counts_all || !emits[f]) {
       error += areas[f] * distance(a[f], b[f]);
       light += areas[f] * sum(b[f]);
       area += areas[f];
@@ -33,7 +35,7 @@ FaceMeanError compare_face_means(const std::vector<glm::dvec3>& a, const std::ve
   }
   result.mean = error / light;
   for (std::size_t f = 0; f < b.size(); ++f) {
-    if (!emits[f] && areas[f] > 0 && sum(b[f]) >= 0.1 * light / area) {
+    if ((counts_all || !emits[f]) && areas[f] > 0 && sum(b[f]) >= 0.1 * light / area) {
       result.worst = std::max(result.worst, distance(a[f], b[f]) / sum(b[f]));
     }
   }

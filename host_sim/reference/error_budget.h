@@ -8,7 +8,8 @@ namespace fixrad::host {
 
 /// How far one set of face means is from another.
 struct FaceMeanError {
-  double mean = 0;  ///< sum of area |a - b| over sum of area b, faces that emit left out, all channels
+  double mean =
+      0;  ///< sum of area |a - b| over sum of area b, faces that emit left out (unless all do), all channels
   double worst =
       0;  ///< largest |a - b| / b of a face with at least a tenth of the mean radiosity, channels summed
 };
