@@ -22,11 +22,11 @@
 
 namespace fixrad {
 
-/// What a solver has room for, at compile time. Spans: a row needs at most one more than twice the faces, and
+/// What a solver has room for, at compile time. Spans: a row needs at most two more than twice the faces, and
 /// two more for each pair of faces that pierce each other; `fixrad info` prints what a scene really uses.
 /// PixelResolution: R of the largest table that hemicube_pixels is to use; 0 leaves the item buffer out.
 template <uint16_t Vertices, uint16_t Faces, uint16_t Elements, uint16_t Patches,
-          uint16_t Spans = 2 * Faces + 1, uint8_t Channels = 3, uint16_t PixelResolution = 0>
+          uint16_t Spans = 2 * Faces + 2, uint8_t Channels = 3, uint16_t PixelResolution = 0>
 struct Limits {
   static constexpr uint16_t vertices = Vertices, faces = Faces, elements = Elements, patches = Patches,
                             spans = Spans;
@@ -50,7 +50,7 @@ constexpr uint32_t pool_bytes(const Sizes& s) {
 /// Bytes of everything else in a solver on a target with pointers of `pointer_bytes`, rounded up to whole
 /// words.
 constexpr uint32_t state_bytes(uint32_t pointer_bytes) {
-  return 23 * pointer_bytes + 140;
+  return 24 * pointer_bytes + 140;
 }
 
 /// All the memory of a radiosity solution, in one object without pointers to anything but the caller's scene.
@@ -72,7 +72,7 @@ class Solver {
       state_.row = {share_, scene.element_count, 0, 0};
       state_.received = received_;
       state_.unshot = unshot_;
-      state_.centroid = centroid_;
+      state_.known_eyes = known_eyes_;
       reset(state_, scene, settings);
     }
     return status;
@@ -103,7 +103,7 @@ class Solver {
   Span spans_[L::spans];
   Item items_[item_count > 0 ? item_count : 1];
   uint32_t share_[L::elements];
-  Centroid centroid_[L::patches];
+  KnownEyes known_eyes_[L::patches];
 };
 
 }  // namespace fixrad

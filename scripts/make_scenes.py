@@ -71,6 +71,31 @@ def high_rho():
     return scene
 
 
+def white_room():
+    """47 m^2 of convex room, the lamp in the ceiling 0.1 % of that. Sum of received flux = emitted / (1 - rho)."""
+    scene = Scene("white_room", "Convex room with rho 0.95 and a lamp of 0.1 % of its area",
+                  {"wall": grey(0.95), "lamp": grey(0.95, 1000)}, free_point=(500, 1500, 500))
+    shell = room("room", (0, 0, 0), (3200, 2500, 2800), {"": "wall"})
+    inset(shell, side_of(shell, 1, 2500), [(1200, 2500, 1400), (1418, 2500, 1400), (1418, 2500, 1618), (1200, 2500, 1618)],
+          "lamp")
+    scene.add(shell)
+    return scene
+
+
+def portico():
+    """A colonnade for the smallest chips: three columns between a floor, a wall and a roof; both ends are open."""
+    scene = Scene("portico", "Three columns between a window and a wall, open at both ends: a colonnade of 16 faces", {
+        "stone": grey(0.7), "column": grey(0.6), "window": grey(0.1, 20)}, free_point=(500, 1500, 2500), closed=False)
+    sides = room("hall", (0, 0, 0), (6000, 3000, 3000), {"": "stone"})
+    sides.faces = [sides.faces[side_of(sides, axis, value)] for axis, value in ((1, 0), (1, 3000), (2, 3000))]
+    window = Face("window", [(500, 1000, 0), (5500, 1000, 0), (5500, 2500, 0), (500, 2500, 0)])
+    scene.add(sides, Part("window", [window], room=True))
+    for number in range(3):
+        x = 800 + 2000 * number
+        scene.add(box(f"column_{number}", "column", (x, 0, 1200), (x + 400, 3000, 1600), without="y- y+"))
+    return scene
+
+
 def colonnade():
     scene = Scene("colonnade", "Hall with two rows of six columns and a long window", {
         "stone": grey(0.7), "column": grey(0.6), "window": grey(0.1, 20)}, free_point=(6000, 2000, 3000))
@@ -156,8 +181,8 @@ def main(arguments):
         return 2
     styles = {"furnished_room": "rich", "gap": "negative", "indirect_only": "crlf"}
     files = cornell_grey()
-    for make in (closed_box, unit_cube_one_emitter, small_lamp, high_rho, colonnade, indirect_only, gap,
-                 parallel_plates, furnished_room):
+    for make in (closed_box, unit_cube_one_emitter, small_lamp, high_rho, white_room, portico, colonnade,
+                 indirect_only, gap, parallel_plates, furnished_room):
         scene = make()
         check(scene)
         print(f"{scene.name}: {sum(len(p.faces) for p in scene.parts)} faces, {triangle_count(scene)} triangles, sound")

@@ -96,6 +96,8 @@ void read_out(const State& state, bool with_ambient, BakeResult& result) {
     result.vertex_radiosity.push_back(three_channels(
         channels, unit, [&](int c) { return vertex_radiosity(state, map, v, c, ambient[c]); }));
   }
+  const std::size_t received = std::size_t{state.scene.element_count} * state.scene.channels;
+  result.received.assign(state.received, state.received + received);
   result.digest = digest(state, map);
   result.shots = state.shots;
   result.eyes = state.eyes;

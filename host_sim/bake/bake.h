@@ -18,13 +18,13 @@ namespace fixrad::host {
 /// What the user may choose; everything left out follows from the profile.
 struct BakeOptions {
   std::string profile = "large";
-  std::string engine = "rows";      ///< rows | pixels
+  std::string engine = "lunes";     ///< lunes | rows | pixels
   std::string solver = "shooting";  ///< shooting | gathering
   std::optional<int> resolution;    ///< R
   std::optional<std::uint32_t> elements;
   double unshot = 0.001;          ///< stop fraction
   double flux_per_eye = 0.005;    ///< one eye point for each such part of the emitted flux
-  std::optional<bool> overshoot;  ///< default: where every element shoots itself
+  bool overshoot = true;
   bool ambient = false;           ///< add the ambient estimate of the rest to the result
 };
 
@@ -54,6 +54,7 @@ struct BakeResult {
   SurfaceMesh surface;
   std::vector<glm::dvec3> element_radiosity;  ///< W/m^2, always three channels
   std::vector<glm::dvec3> vertex_radiosity;   ///< [surface.positions]
+  std::vector<std::int32_t> received;         ///< flux units, [element][channel]
   std::vector<Ledger> ledger;                 ///< one a carried channel
   std::uint32_t shots = 0, eyes = 0, withdrawn = 0, gaps_closed = 0, spans_used = 0;
   double seconds = 0;  ///< of the solver alone

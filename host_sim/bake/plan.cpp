@@ -45,7 +45,7 @@ BakePlan plan_for(const PreparedScene& scene, const BakeOptions& options, const 
                 channels,
                 options.engine == "pixels" ? static_cast<std::uint32_t>(plan.resolution) : 0u};
   plan.matrix_bytes = is_gathering ? n * n * 2 + n * (2 + 4 * channels) : 0;
-  plan.overshoot = options.overshoot.value_or(profile.patches == profile.elements);
+  plan.overshoot = options.overshoot;
   return plan;
 }
 
@@ -87,8 +87,15 @@ Settings make_settings(const BakeOptions& options, const BakePlan& plan) {
     return Fraction::from_raw(static_cast<std::uint32_t>(std::clamp(std::ldexp(a, 32), 0.0, 4294967295.0)));
   };
   Settings settings;
-  settings.engine = options.engine == "pixels" ? hemicube_pixels : hemicube_rows;
-  settings.table = delta_table(plan.resolution);
+  if (options.engine == "lunes") {
+    settings.engine = lune_rows;
+    settings.table = lune_table(plan.resolution);
+    settings.coarse = lune_table(std::max(8, plan.resolution / 2));
+    settings.probe = &kLune4;
+  } else {
+    settings.engine = options.engine == "pixels" ? hemicube_pixels : hemicube_rows;
+    settings.table = delta_table(plan.resolution);
+  }
   settings.stop = to_fraction(options.unshot);
   settings.flux_per_eye = to_fraction(options.flux_per_eye);
   settings.overshoot = plan.overshoot;

@@ -30,8 +30,8 @@ Matrix face_factors(const LoadedScene& scene, const BakeResult& solution_frame, 
   Matrix factors(faces, std::vector<double>(faces, 0.0));
   std::vector<double> row(faces);
   for (std::uint16_t e = 0; e < device.elements.size() && !is_interrupted(); ++e) {
-    Centroid centroid = Centroid::unknown;
-    if (sample_source(state, element_source(state.scene, e), kEyes, centroid) != Status::ok) {
+    KnownEyes known = 0;
+    if (sample_source(state, element_source(state.scene, e), kEyes, known) != Status::ok) {
       throw InputError(scene.model.path +
                        ": error: a row shows more spans than the pool holds; let no faces pierce each other");
     }

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <iostream>
-#include <set>
+#include <string>
+#include <vector>
 
 #include "host_sim/cli/session.h"
 
 namespace fixrad::host {
 namespace {
 
-CLI::Validator output_suffix() {
+CLI::Validator output_suffix(const std::vector<std::string>& known) {
   return CLI::Validator(
-      [](std::string& text) {
-        static const std::set<std::string> known = {".hpp", ".glb", ".ply", ".png", ".csv", ".json"};
-        return known.count(std::filesystem::path(text).extension().string()) != 0
+      [known](std::string& text) {
+        const std::string suffix = std::filesystem::path(text).extension().string();
+        return std::find(known.begin(), known.end(), suffix) != known.end()
                    ? std::string()
-                   : text + ": the suffix must be one of .hpp .glb .ply .png .csv .json";
+                   : text + ": the suffix must be one of " + CLI::detail::join(known, " ");
       },
       "FILE", "output file");
 }
@@ -31,7 +33,7 @@ int run(int argc, char** argv) {
   add_scene_options(*bake, options);
   add_solver_options(*bake, options);
   bake->add_option("-o,--output", options.outputs, "File to write, by its suffix; may be given several times")
-      ->check(output_suffix())
+      ->check(output_suffix({".hpp", ".glb", ".ply", ".png", ".csv", ".json"}))
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   bake->add_option("--faces-csv", options.faces_csv, "Mean radiosity of every input face, in file order");
@@ -42,6 +44,15 @@ int run(int argc, char** argv) {
   add_scene_options(*compare, options);
   add_solver_options(*compare, options);
   compare->add_option("--json", options.json, "Write the figures to this file too");
+
+  CLI::App* exported =
+      app.add_subcommand("export", "Solve a scene and write it for a firmware to solve again");
+  add_scene_options(*exported, options);
+  add_solver_options(*exported, options);
+  exported->add_option("-o,--output", options.outputs, "C++ header to write; its stem names the namespace")
+      ->check(output_suffix({".h", ".hpp"}))
+      ->expected(1)
+      ->required();
 
   CLI::App* factors = app.add_subcommand("form-factors", "Area-averaged form factors between input faces");
   add_scene_options(*factors, options);
@@ -66,6 +77,9 @@ int run(int argc, char** argv) {
   }
   if (compare->parsed()) {
     return run_compare(options);
+  }
+  if (exported->parsed()) {
+    return run_export(options);
   }
   return factors->parsed() ? run_form_factors(options) : run_info(options);
 }

@@ -41,6 +41,7 @@ void add_quiet(CLI::App& command, CommonOptions& options);
 /// The subcommands; each returns an ExitCode and throws InputError.
 int run_bake(const CommonOptions& options);
 int run_compare(const CommonOptions& options);
+int run_export(const CommonOptions& options);
 int run_form_factors(const CommonOptions& options);
 int run_info(const CommonOptions& options);
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Reference 1: the core's own algorithm in double.
-set(sources twin.cpp twin_delta_table.cpp twin_hemicube.cpp twin_recorder.cpp twin_scanline.cpp twin_scene.cpp
+set(sources twin.cpp twin_delta_table.cpp twin_hemisphere.cpp twin_recorder.cpp twin_scanline.cpp twin_scene.cpp
             twin_spans.cpp twin_view.cpp)
 list(TRANSFORM sources PREPEND "${CMAKE_CURRENT_LIST_DIR}/")
 add_library(fixrad_twin STATIC ${sources})

@@ -8,21 +8,24 @@
 namespace fixrad::host {
 namespace {
 
-TwinEngine engine_of(const Settings& settings) {
-  if (settings.engine == hemicube_rows) {
+TwinEngine engine_of(Engine engine) {
+  if (engine == hemicube_rows) {
     return TwinEngine::rows;
   }
-  if (settings.engine == hemicube_pixels) {
+  if (engine == hemicube_pixels) {
     return TwinEngine::pixels;
   }
-  throw std::invalid_argument("the twin in double knows the engines rows and pixels only");
+  if (engine == lune_rows) {
+    return TwinEngine::lunes;
+  }
+  throw std::invalid_argument("the twin in double knows the core's own engines only");
 }
 
 }  // namespace
 
 Twin::Twin(const Scene& scene, const Settings& settings)
     : scene_(make_twin_scene(scene)),
-      hemicube_(scene_, 1 << settings.table->resolution_log2, engine_of(settings)),
+      hemisphere_(scene_, engine_of(settings.engine)),
       received_(scene_.element_count() * scene_.channels, 0.0),
       unshot_(static_cast<std::size_t>(scene_.patch_count) * scene_.channels, 0.0) {
   row_.share.resize(scene_.element_count());
@@ -39,11 +42,11 @@ void Twin::replay(const Recorder& recorder) {
   }
 }
 
-void Twin::shoot(const RecordedShot& shot, const EyeSample* eyes) {
+void Twin::shoot(const RecordedShot& shot, const RecordedEye* eyes) {
   std::fill(row_.share.begin(), row_.share.end(), 0.0);
   row_.escaped = row_.back = 0;
   for (std::size_t i = 0; i < shot.eye_count; ++i) {
-    hemicube_.add(eyes[i], row_);
+    hemisphere_.add(eyes[i], row_);
   }
   if (shot.eye_count == 0) {
     keep_light(shot.patch);

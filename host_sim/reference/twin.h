@@ -6,20 +6,19 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "host_sim/reference/twin_hemicube.h"
+#include "host_sim/reference/twin_hemisphere.h"
 #include "host_sim/reference/twin_recorder.h"
 #include "host_sim/reference/twin_scene.h"
 
 namespace fixrad::host {
 
-/// Reference 1: the core's hemicube and shooting in double precision. It replays the shots of a fixed-point
-/// run, with the same eye points, axes and resolution, so that only the arithmetic differs; what each patch
-/// has to send is the twin's own.
+/// Reference 1: the core's form factors and shooting in double precision. It replays the shots of a
+/// fixed-point run, with the same eye points, axes and resolution, so that only the arithmetic differs; what
+/// each patch has to send is the twin's own.
 class Twin {
  public:
-  /// Starts from the emitted flux. Of `settings`, table (for R) and engine count; throws
-  /// std::invalid_argument if the engine is none of hemicube_rows and hemicube_pixels. Tables and scene are
-  /// copied.
+  /// Starts from the emitted flux. Of `settings` only the engine counts; throws std::invalid_argument if it
+  /// is none of hemicube_rows, hemicube_pixels and lune_rows. The scene is copied.
   Twin(const Scene& scene, const Settings& settings);
   Twin(const Twin&) = delete;
   Twin& operator=(const Twin&) = delete;
@@ -28,7 +27,7 @@ class Twin {
   void replay(const Recorder& recorder);
 
   /// Fires one shot. eyes [shot.eye_count], whose weights sum to kRowOne.
-  void shoot(const RecordedShot& shot, const EyeSample* eyes);
+  void shoot(const RecordedShot& shot, const RecordedEye* eyes);
 
   /// Form factors of the last shot; with `escaped` and `back` they sum to 1.
   const TwinFormFactors& form_factors() const { return row_; }
@@ -55,7 +54,7 @@ class Twin {
   void keep_light(std::size_t patch);
 
   TwinScene scene_;
-  TwinHemicube hemicube_;
+  TwinHemisphere hemisphere_;
   TwinFormFactors row_;
   std::vector<double> received_;  // [element][channel]
   std::vector<double> unshot_;    // [patch][channel]

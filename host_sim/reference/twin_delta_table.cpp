@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "host_sim/reference/twin_delta_table.h"
 
+#include <cmath>
+
 #include "host_sim/tables/delta_form_factors.h"
 
 namespace fixrad::host {
@@ -31,6 +33,17 @@ void scale(std::vector<double>& sums, double factor) {
 }
 
 }  // namespace
+
+double TwinDeltaRow::sum_to(double x) const {
+  if (borders == nullptr) {
+    return (0.5 + std::copysign(half_lune_integral(std::fabs(x)), x)) / (2 * half_size);
+  }
+  const double distance = std::fabs(x) * half_size;
+  const int whole = static_cast<int>(distance);
+  const int pixel = whole < half_size ? whole : half_size - 1;
+  const double part = borders[pixel] + (borders[pixel + 1] - borders[pixel]) * (distance - pixel);
+  return borders[half_size] + std::copysign(part, x);
+}
 
 // A half row of the top occurs four times (left and right, above and below the middle), one of a side eight
 // times.

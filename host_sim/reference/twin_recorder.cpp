@@ -6,22 +6,14 @@ namespace fixrad::host {
 Observer Recorder::observer() {
   Observer observer = {};
   observer.context = this;
-  observer.on_eye = [](void* self, const EyeSample& sample) {
-    static_cast<Recorder*>(self)->take_eye(sample);
+  observer.on_eye = [](void* self, const DeltaTable& table, const EyeSample& sample) {
+    static_cast<Recorder*>(self)->eyes_.push_back({sample, 1 << table.resolution_log2});
   };
   observer.on_shot = [](void* self, std::uint16_t patch, const Flux* amount, bool overshoots) {
     static_cast<Recorder*>(self)->take_shot(patch, amount, overshoots);
   };
   observer.on_withdraw = [](void* self) { static_cast<Recorder*>(self)->withdraw(); };
   return observer;
-}
-
-// The first eye of a set owns the beginning of the row: whatever an abandoned shot has left is dropped.
-void Recorder::take_eye(const EyeSample& sample) {
-  if (sample.begin == 0) {
-    withdraw();
-  }
-  eyes_.push_back(sample);
 }
 
 void Recorder::take_shot(std::uint16_t patch, const Flux* amount, bool overshoots) {

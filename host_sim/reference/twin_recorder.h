@@ -10,6 +10,12 @@
 
 namespace fixrad::host {
 
+/// One eye point of a fixed-point run.
+struct RecordedEye {
+  EyeSample sample;
+  int resolution;  ///< R of the table that it was sampled with
+};
+
 /// One shot of a fixed-point run.
 struct RecordedShot {
   std::uint16_t patch;
@@ -30,16 +36,15 @@ class Recorder {
 
   Observer observer();
   const std::vector<RecordedShot>& shots() const { return shots_; }
-  const std::vector<EyeSample>& eyes() const { return eyes_; }
+  const std::vector<RecordedEye>& eyes() const { return eyes_; }
 
  private:
-  void take_eye(const EyeSample& sample);
   void take_shot(std::uint16_t patch, const Flux* amount, bool overshoots);
   void withdraw() { eyes_.resize(shot_eyes_); }
 
   const State* state_;
   std::vector<RecordedShot> shots_;
-  std::vector<EyeSample> eyes_;
+  std::vector<RecordedEye> eyes_;
   std::size_t shot_eyes_ = 0;  // eyes of complete shots; those behind it belong to the coming one
 };
 

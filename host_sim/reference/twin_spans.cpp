@@ -6,21 +6,20 @@
 namespace fixrad::host {
 namespace {
 
-// The part on which `a` is nearer than `b`; the difference of inverse depths is linear along the row.
+// The part on which `a` is nearer than `b`: the difference of inverse depths is one plane through the eye,
+// and a row meets it once at most.
 TwinInterval nearer_part(const TwinFaceView& a, const TwinFaceView& b, TwinInterval part,
                          const TwinRow& row) {
   const glm::dvec3 difference = a.plane - b.plane;
-  const double middle = glm::dot(difference, row.middle);
-  const double slope = glm::dot(difference, row.along);
-  const double begin = middle + part.begin * slope;
-  const double end = middle + part.end * slope;
+  const double begin = glm::dot(difference, row.direction(part.begin));
+  const double end = glm::dot(difference, row.direction(part.end));
   if (begin <= 0 && end <= 0) {
     return {part.begin, part.begin};
   }
   if (begin >= 0 && end >= 0) {
     return part;
   }
-  const double zero = part.begin + (part.end - part.begin) * (begin / (begin - end));
+  const double zero = std::clamp(row.crossing(difference), part.begin, part.end);
   return begin > 0 ? TwinInterval{part.begin, zero} : TwinInterval{zero, part.end};
 }
 

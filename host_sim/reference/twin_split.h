@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 
 #include "host_sim/reference/twin_scanline.h"
 
@@ -16,16 +15,16 @@ class TwinElementWalk {
  public:
   /// Needs part.begin < part.end, and `view` to show its front.
   TwinElementWalk(const TwinScene& scene, const TwinFaceView& view, const TwinRow& row, TwinInterval part)
-      : rows_(scene.cell_rows.data() + scene.faces[view.face].first_cell_row), part_(part), end_(part.begin) {
+      : rows_(scene.cell_rows.data() + scene.faces[view.face].first_cell_row),
+        row_(row),
+        part_(part),
+        weight_(view.grid_n),
+        end_(part.begin) {
     const TwinFace& face = scene.faces[view.face];
-    u_ = v_ = {0, 0, 0, 0, part.end};
+    u_ = v_ = {{0, 0, 0}, 0, 0, part.end};
     if (face.cells_u * face.cells_v > 1) {
-      const glm::dvec3 d0 = row.direction(part.begin);
-      const glm::dvec3 d1 = row.direction(part.end);
-      begin_weight_ = glm::dot(view.grid_n, d0);
-      end_weight_ = glm::dot(view.grid_n, d1);
-      start_axis(u_, view.grid_u, face.cells_u, d0, d1);
-      start_axis(v_, view.grid_v, face.cells_v, d0, d1);
+      start_axis(u_, view.grid_u, face.cells_u);
+      start_axis(v_, view.grid_v, face.cells_v);
     }
   }
 
@@ -50,9 +49,9 @@ class TwinElementWalk {
   double end() const { return end_; }                 ///< where the piece ends
 
  private:
-  // One family of parallel grid lines: at the ends of the interval the cell coordinate is value / weight.
+  // One family of parallel grid lines: the cell coordinate in direction d is (grid . d) / (weight . d).
   struct Axis {
-    double begin_value, end_value;
+    glm::dvec3 grid;
     int cell, last_cell;
     double border;  // where the current cell ends
   };
@@ -65,28 +64,29 @@ class TwinElementWalk {
     return coordinate < cells ? static_cast<int>(coordinate) : cells - 1;
   }
 
-  void start_axis(Axis& axis, const glm::dvec3& grid, int cells, const glm::dvec3& d0,
-                  const glm::dvec3& d1) const {
+  int cell_at(const glm::dvec3& grid, double x, int cells) const {
+    const glm::dvec3 d = row_.direction(x);
+    return cell_of(glm::dot(grid, d), glm::dot(weight_, d), cells);
+  }
+
+  void start_axis(Axis& axis, const glm::dvec3& grid, int cells) const {
     if (cells == 1) {
       return;
     }
-    axis.begin_value = glm::dot(grid, d0);
-    axis.end_value = glm::dot(grid, d1);
-    axis.cell = cell_of(axis.begin_value, begin_weight_, cells);
-    axis.last_cell = cell_of(axis.end_value, end_weight_, cells);
+    axis.grid = grid;
+    axis.cell = cell_at(grid, part_.begin, cells);
+    axis.last_cell = cell_at(grid, part_.end, cells);
     find_border(axis);
   }
 
-  // The line between cell k - 1 and k is the zero of value - k weight, which is linear along the row.
+  // The line between cells k - 1 and k lies in the plane of all d with (grid - k weight) . d = 0.
   void find_border(Axis& axis) const {
     if (axis.cell == axis.last_cell) {
       axis.border = part_.end;
       return;
     }
-    const int k = axis.cell < axis.last_cell ? axis.cell + 1 : axis.cell;
-    const double a = std::fabs(axis.begin_value - k * begin_weight_);
-    const double b = std::fabs(axis.end_value - k * end_weight_);
-    axis.border = part_.begin + (a + b > 0 ? (part_.end - part_.begin) * (a / (a + b)) : 0.0);
+    const double k = axis.cell < axis.last_cell ? axis.cell + 1 : axis.cell;
+    axis.border = std::clamp(row_.crossing(axis.grid - k * weight_), part_.begin, part_.end);
   }
 
   std::uint32_t element_at(int u, int v) const {
@@ -96,8 +96,9 @@ class TwinElementWalk {
   }
 
   const CellRow* rows_;
+  const TwinRow& row_;
   TwinInterval part_;
-  double begin_weight_ = 1, end_weight_ = 1;
+  glm::dvec3 weight_;
   Axis u_, v_;
   std::uint32_t element_ = 0;
   double end_;

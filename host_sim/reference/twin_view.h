@@ -11,16 +11,15 @@
 
 namespace fixrad::host {
 
-/// Where one edge of a face crosses the rows of a hemicube side: x = (base + y step) / reach, in front of the
-/// eye if reach > 0. Kept from row to row.
+/// An edge of a face that crosses rows, kept from row to row.
 struct TwinEdgeCursor {
-  double base, step, reach;
-  int edge;  ///< which one is held, or kNoTwinEdge
+  glm::dvec3 normal;  ///< lower x upper end, frame of the current side; x < 0: in front of the eye
+  int edge;           ///< which one is held, or kNoTwinEdge
 };
 
 constexpr int kNoTwinEdge = -1;
 
-/// A face as the current eye sees it; vectors in the hemicube's frame.
+/// A face as the current eye sees it; vectors in the eye's frame.
 struct TwinFaceView {
   glm::dvec3 plane;                   ///< 1/depth in direction d is plane . d
   glm::dvec3 grid_u, grid_v, grid_n;  ///< cell coordinate u in direction d is (grid_u . d) / (grid_n . d)
@@ -37,7 +36,7 @@ struct TwinView {
         side_directions(scene.vertices.size()),
         faces(scene.faces.size()) {}
 
-  std::vector<glm::dvec3> directions;       ///< [vertices], hemicube's frame
+  std::vector<glm::dvec3> directions;       ///< [vertices], eye's frame
   std::vector<glm::dvec3> side_directions;  ///< [vertices], frame of the current side
   std::vector<TwinFaceView> faces;          ///< [faces], `count` of them in use
   std::size_t count = 0;

@@ -44,4 +44,21 @@ const DeltaTable* delta_table(int resolution) {
   }
 }
 
+const DeltaTable* lune_table(int resolution) {
+  switch (resolution) {
+    case 8:
+      return &kLune8;
+    case 16:
+      return &kLune16;
+    case 32:
+      return &kLune32;
+    case 64:
+      return &kLune64;
+    case 128:
+      return &kLune128;
+    default:
+      return nullptr;
+  }
+}
+
 }  // namespace fixrad::host

@@ -30,7 +30,8 @@ std::optional<Profile> find_profile(const std::string& name);
 /// Bytes that a solver of these sizes takes on the profile's chip, stack and flash apart.
 std::uint32_t ram_bytes(const Profile& profile, const Sizes& sizes);
 
-/// The delta form-factor table of R = 8, 16, 32, 64 or 128; null for others.
+/// The delta form-factor table of R = 8, 16, 32, 64 or 128, of a hemicube or of lunes; null for others.
 const DeltaTable* delta_table(int resolution);
+const DeltaTable* lune_table(int resolution);
 
 }  // namespace fixrad::host

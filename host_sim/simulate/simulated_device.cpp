@@ -15,7 +15,7 @@ struct SimulatedDevice::Arrays {
         spans(s.spans),
         items(s.pixel_resolution * s.pixel_resolution),
         share(s.elements),
-        centroid(s.patches) {}
+        known_eyes(s.patches) {}
 
   std::vector<std::int32_t> received, unshot;
   std::vector<FaceView> views;
@@ -23,7 +23,7 @@ struct SimulatedDevice::Arrays {
   std::vector<Span> spans;
   std::vector<Item> items;
   std::vector<std::uint32_t> share;
-  std::vector<Centroid> centroid;
+  std::vector<KnownEyes> known_eyes;
 };
 
 SimulatedDevice::SimulatedDevice(const Sizes& sizes)
@@ -51,7 +51,7 @@ Status SimulatedDevice::load(const Scene& scene, const Settings& settings) {
     state_.row = {a.share.data(), scene.element_count, 0, 0};
     state_.received = a.received.data();
     state_.unshot = a.unshot.data();
-    state_.centroid = a.centroid.data();
+    state_.known_eyes = a.known_eyes.data();
     reset(state_, scene, settings);
   }
   return status;

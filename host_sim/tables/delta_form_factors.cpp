@@ -87,4 +87,31 @@ DeltaTableData make_delta_table(int resolution) {
   return data;
 }
 
+double half_lune_integral(double u) {
+  if (u >= 1.0) {
+    return 0.5;
+  }
+  const double tangent = u / (1.0 - u);
+  return (std::atan(tangent) + tangent / (1.0 + tangent * tangent)) / kPi;
+}
+
+std::vector<std::uint16_t> make_lune_half_row() {
+  constexpr int kParts = 256;
+  std::vector<std::uint16_t> entries;
+  for (int i = 1; i <= kParts; ++i) {
+    const double sum = half_lune_integral(static_cast<double>(i) / kParts);
+    entries.push_back(static_cast<std::uint16_t>(std::lround(std::ldexp(sum, 16))));
+  }
+  return entries;
+}
+
+std::vector<std::int16_t> make_lune_cosines(int resolution) {
+  std::vector<std::int16_t> cosines;
+  for (int r = 0; r < resolution / 2; ++r) {
+    const double sine = (2.0 * r + 1.0) / resolution;
+    cosines.push_back(static_cast<std::int16_t>(std::lround(std::ldexp(std::sqrt(1.0 - sine * sine), 11))));
+  }
+  return cosines;
+}
+
 }  // namespace fixrad::host

@@ -22,4 +22,14 @@ struct DeltaTableData {
 /// Computes the table for R = 8, 16, 32, 64 or 128.
 DeltaTableData make_delta_table(int resolution);
 
+/// Form factor between the middle of a lune and u = s / (1 + s), over the form factor of the whole lune:
+/// (atan s + s / (1 + s^2)) / pi, which is the integral of the cosine over half great circles (docs/lunes.md).
+double half_lune_integral(double u);
+
+/// The committed half row of lunes: 256 running sums, units of 2^-16 of a whole row.
+std::vector<std::uint16_t> make_lune_half_row();
+
+/// Cosines, Q11, of the angles whose sines are (2r + 1) / R, r = 0 .. R/2 - 1.
+std::vector<std::int16_t> make_lune_cosines(int resolution);
+
 }  // namespace fixrad::host

@@ -16,7 +16,7 @@ int32_t on_grid(int32_t a) {
   return a < 0 ? 0 : (a > 0xffff ? 0xffff : a);
 }
 
-Vec3 sub_cell(const Face& face, Vec3 centre, int level, int i, int j) {
+Vec3 sub_cell(const Face& face, const Vec3& centre, int level, int i, int j) {
   const Vec3 u = vec(face.axis_u);
   const Vec3 v = vec(face.axis_v);
   return {on_grid(centre.x + along(u.x, i, level, face.cells_u) + along(v.x, j, level, face.cells_v)),
@@ -61,10 +61,10 @@ EyeCandidate eye_candidate(const Scene& scene, const EyeSource& source, int leve
   if (level == 0) {
     return {vec(source.centre), source_element(scene, source, 0), 1};
   }
-  const int per_element = level * level;
+  const unsigned per_element = static_cast<unsigned>(level * level);
   const uint16_t id = source_element(scene, source, static_cast<uint16_t>(index / per_element));
   const Element element = flash_read(scene.elements, id);
-  const int sub = index % per_element;
+  const int sub = static_cast<int>(index % per_element);
   const Face face = flash_read(scene.faces, source.face);
   if (level == 1 || !is_whole_cell(element, face)) {
     return {vec(element.eye), id, static_cast<uint8_t>(sub == 0 ? per_element : 0)};

@@ -4,14 +4,10 @@
 #include <limits.h>
 #include <stdint.h>
 
+#include "lib/fixed/product.h"
 #include "lib/fixed/q.h"
 
 namespace fixrad {
-
-/// Upper half of a 32 x 32 -> 64-bit product.
-inline uint32_t mul_high(uint32_t a, uint32_t b) {
-  return static_cast<uint32_t>((static_cast<uint64_t>(a) * b) >> 32);
-}
 
 /// |a| as an unsigned number, INT32_MIN included.
 inline uint32_t magnitude(int32_t a) {
@@ -31,9 +27,18 @@ inline Flux reflect(Reflectance reflectance, Flux received) {
   return Flux::from_raw(received.raw < 0 ? -static_cast<int32_t>(part) : static_cast<int32_t>(part));
 }
 
-/// floor((flux * sum + phase) / 2^20) for flux < 2^31, sum <= 2^20, phase < 2^20: 64 bits -> below 2^31 + 1.
-inline uint32_t flux_below(uint32_t flux, uint32_t sum, uint32_t phase) {
-  return static_cast<uint32_t>((static_cast<uint64_t>(flux) * sum + phase) >> 20);
+/// How much more of `received` + `share` is reflected than of `received`: the difference of two reflect(),
+/// with one wide product less where both fluxes have one sign. There the low words of the two products tell
+/// whether the sum carries.
+inline Flux reflect_more(Reflectance reflectance, Flux received, Flux share) {
+  if ((received.raw ^ share.raw) < 0) {
+    return reflect(reflectance, received + share) - reflect(reflectance, received);
+  }
+  const uint64_t more = wide_product(reflectance.raw, magnitude(share.raw));
+  const uint32_t low = reflectance.raw * magnitude(received.raw);
+  const uint32_t carry = static_cast<uint32_t>(more) > ~low ? 1 : 0;
+  const int32_t part = static_cast<int32_t>(static_cast<uint32_t>(more >> 32) + carry);
+  return Flux::from_raw(share.raw < 0 ? -part : part);
 }
 
 /// a / 2^shift towards minus infinity. C++17 leaves >> of a negative number to the compiler; every compiler

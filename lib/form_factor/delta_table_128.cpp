@@ -526,6 +526,6 @@ constexpr FIXRAD_FLASH uint16_t kSide[] = {
 
 }  // namespace
 
-const DeltaTable kDelta128 = {7, kTop, kSide};
+const FIXRAD_FLASH DeltaTable kDelta128 = {7, kTop, kSide, nullptr};
 
 }  // namespace fixrad

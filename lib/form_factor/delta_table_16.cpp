@@ -22,6 +22,6 @@ constexpr FIXRAD_FLASH uint16_t kSide[] = {
 
 }  // namespace
 
-const DeltaTable kDelta16 = {4, kTop, kSide};
+const FIXRAD_FLASH DeltaTable kDelta16 = {4, kTop, kSide, nullptr};
 
 }  // namespace fixrad

@@ -46,6 +46,6 @@ constexpr FIXRAD_FLASH uint16_t kSide[] = {
 
 }  // namespace
 
-const DeltaTable kDelta32 = {5, kTop, kSide};
+const FIXRAD_FLASH DeltaTable kDelta32 = {5, kTop, kSide, nullptr};
 
 }  // namespace fixrad

@@ -142,6 +142,6 @@ constexpr FIXRAD_FLASH uint16_t kSide[] = {
 
 }  // namespace
 
-const DeltaTable kDelta64 = {6, kTop, kSide};
+const FIXRAD_FLASH DeltaTable kDelta64 = {6, kTop, kSide, nullptr};
 
 }  // namespace fixrad

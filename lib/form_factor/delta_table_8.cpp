@@ -16,6 +16,6 @@ constexpr FIXRAD_FLASH uint16_t kSide[] = {
 
 }  // namespace
 
-const DeltaTable kDelta8 = {3, kTop, kSide};
+const FIXRAD_FLASH DeltaTable kDelta8 = {3, kTop, kSide, nullptr};
 
 }  // namespace fixrad

@@ -13,7 +13,7 @@ namespace fixrad {
 /// How one eye point is to be sampled.
 struct EyeSample {
   EyePoint eye;
-  uint32_t begin, weight;  ///< the eye's part [begin, begin + weight) of kRowOne
+  uint32_t weight;  ///< the eye's part of kRowOne
   bool back_faces;         ///< back faces block; without, the scene must be closed
 };
 
@@ -27,13 +27,18 @@ using Engine = Status (*)(const Scene& scene, const DeltaTable& table, const Eye
 Status hemicube_rows(const Scene& scene, const DeltaTable& table, const EyeSample& sample, Workspace& work,
                      FormFactorRow& row);
 
+/// Lune rows: the same on rows of equal weight round one axis, with a table of kLune*: one projection instead of
+/// five, and a third of the rows (docs/lunes.md).
+Status lune_rows(const Scene& scene, const DeltaTable& table, const EyeSample& sample, Workspace& work,
+                 FormFactorRow& row);
+
 /// The classical hemicube (Cohen & Greenberg 1985): each element's polygon is scan-converted into an item
 /// buffer of R x R pixels a side. The baseline. Status
 /// item_buffer_too_small unless item_capacity >= R * R.
 Status hemicube_pixels(const Scene& scene, const DeltaTable& table, const EyeSample& sample, Workspace& work,
                        FormFactorRow& row);
 
-/// Fraction of the hemicube's top, UQ12.20, that is hidden: the nearest face shows its back, or, where
+/// Fraction of a hemicube's top, or of all lunes, UQ12.20, that is hidden: the nearest face shows its back, or, where
 /// `nothing_hides`, there is no face at all (from inside an enclosed scene: the eye lies behind a wall). More
 /// than half: the eye is buried. The top alone, since what buries an eye stands over it. Cost: R rows.
 Status hidden_share(const Scene& scene, const DeltaTable& table, const EyePoint& eye, bool nothing_hides,

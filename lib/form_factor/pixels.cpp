@@ -7,10 +7,11 @@ namespace fixrad {
 namespace {
 
 struct PixelRow {
-  RowPosition at;
+  BandRow at;
   Item* items;  // [R]
+  uint8_t resolution_log2;
 
-  int32_t frac_bits() const { return kRowLog2 - at.resolution_log2; }
+  int32_t frac_bits() const { return kRowLog2 - resolution_log2; }
   int32_t centre(int32_t pixel) const { return (pixel << frac_bits()) + (1 << (frac_bits() - 1)); }
 
   // First pixel whose centre is at or right of x: both ends of an interval round alike, so neighbours share
@@ -20,10 +21,11 @@ struct PixelRow {
 
 void draw(const PixelRow& row, uint16_t view, uint16_t slot, Interval part, const FaceView* views) {
   const int32_t end = row.first_from(part.end);
+  const RowDepth depth = row_depth(views[view], row.at.plane);
   for (int32_t pixel = row.first_from(part.begin); pixel < end; ++pixel) {
     Item& item = row.items[pixel];
     if (item.view == kNothing ||
-        nearness(views[view], views[item.view], row.at.direction(row.centre(pixel))) > 0) {
+        nearness(depth, row_depth(views[item.view], row.at.plane), row.centre(pixel)) > 0) {
       item = {slot, view};
     }
   }
@@ -40,22 +42,29 @@ void draw_face_row(const Scene& scene, const PixelRow& row, uint16_t index, Work
     return;
   }
   int32_t begin = part.begin;
-  for (ElementWalk walk(scene, view, row.at, part); walk.next(); begin = walk.end()) {
+  for (ElementWalk walk(scene, view, row.at.plane, part); walk.next(); begin = walk.end()) {
     draw(row, index, walk.element(), {begin, walk.end()}, work.views);
   }
 }
 
-void draw_side(const Scene& scene, int side, uint8_t resolution_log2, Workspace& work) {
-  const uint32_t size = 1u << resolution_log2;
-  for (uint32_t i = 0; i < size * size; ++i) {
+void draw_side(const Scene& scene, const DeltaTable& table, int side, Workspace& work) {
+  const int size = 1 << table.resolution_log2;
+  const uint32_t pixels = static_cast<uint32_t>(1) << (2 * table.resolution_log2);
+  for (uint32_t i = 0; i < pixels; ++i) {
     work.items[i] = {kEscapedSlot, kNothing};
   }
-  enter_side(scene, side, resolution_log2, work);
-  for (uint16_t i = 0; i < work.view_count; ++i) {
-    const int last = work.views[i].last_row;
-    for (int r = work.views[i].first_row; r <= last; ++r) {
-      const RowPosition at = row_position(r, resolution_log2);
-      draw_face_row(scene, {at, work.items + (static_cast<uint32_t>(r) << resolution_log2)}, i, work);
+  for (int first = side == kTop ? 0 : size / 2; first < size; first += kBandRows) {
+    const int count = size - first < kBandRows ? size - first : kBandRows;
+    enter_side_band(scene, table, side, first, count, work);
+    for (int r = 0; r < count; ++r) {
+      const PixelRow row = {{row_plane(table, first + r), static_cast<RowMask>(1u << r)},
+                            work.items + (static_cast<uint32_t>(first + r) << table.resolution_log2),
+                            table.resolution_log2};
+      for (uint16_t i = 0; i < work.view_count; ++i) {
+        if ((work.views[i].rows & row.at.bit) != 0) {
+          draw_face_row(scene, row, i, work);
+        }
+      }
     }
   }
 }
@@ -68,11 +77,15 @@ Status hemicube_pixels(const Scene& scene, const DeltaTable& table, const EyeSam
     return Status::item_buffer_too_small;
   }
   make_view(scene, sample.eye, sample.back_faces, work);
-  RowWriter writer(row, sample.begin, sample.weight);
+  make_grids(scene, sample.eye, work);
+  RowWriter writer(row, sample.weight);
   const int size = 1 << table.resolution_log2;
   uint32_t base = 0;
   for (int side = 0; side < kSides; ++side) {
-    draw_side(scene, side, table.resolution_log2, work);
+    if (side != kTop) {
+      turn_view(side, scene.vertex_count, work);
+    }
+    draw_side(scene, table, side, work);
     for (int r = side == kTop ? 0 : size / 2; r < size; ++r) {
       const Item* items = work.items + (static_cast<uint32_t>(r) << table.resolution_log2);
       const DeltaRow delta = delta_row(table, side == kTop, r);

@@ -3,11 +3,13 @@
 
 #include <stdint.h>
 
+#include "lib/fixed/cutter.h"
+
 namespace fixrad {
 
 /// One over a row of form factors: the entries plus escaped plus back sum to exactly this. The unit is that
 /// of the delta form factors: with 2^-16, rounding made nine tenths of all arithmetic error.
-constexpr uint32_t kRowOne = 1u << 20;
+constexpr uint32_t kRowOne = 1ul << 20;
 
 /// A row of form factors, the one record between geometry and transport: share[j] is the fraction of what a
 /// shooter sends that arrives at element j. share [count], UQ1.20, owned by the solver's storage.
@@ -31,30 +33,25 @@ inline void clear(FormFactorRow& row) {
 constexpr uint16_t kEscapedSlot = 0xffff;
 constexpr uint16_t kBackSlot = 0xfffe;
 
-/// Adds the view of one eye point to a row. The eye owns the part [begin, begin + weight) of kRowOne; samples
-/// come in a fixed order and each ends at a running sum of delta form factors, so that rounding telescopes:
+/// Adds the view of one eye point to a row. The eye owns the part `weight` of kRowOne; samples come in a fixed order and each ends at a running sum of delta form factors, so that rounding telescopes:
 /// after the last sample the eye has given exactly `weight`. Ends are rounded to nearest, lest the last
 /// element get all that others lose.
 class RowWriter {
  public:
-  RowWriter(FormFactorRow& row, uint32_t begin, uint32_t weight)
-      : row_(row), begin_(begin), weight_(weight), written_(begin) {}
+  RowWriter(FormFactorRow& row, uint32_t weight)
+      : row_(row), cutter_(weight, kRowOne / 2), is_whole_(weight == kRowOne) {}
 
-  /// Everything from the end of the last call up to `sum` (UQ1.20 over the hemicube) falls on `slot`.
+  /// Everything from the end of the last call up to `sum` (UQ1.20 over the hemisphere) falls on `slot`.
   void add(uint16_t slot, uint32_t sum) {
-    const uint32_t end = weight_ == kRowOne ? sum : begin_ + part_of(sum);
-    const uint32_t part = end - written_;
-    written_ = end;
+    const uint32_t all = sum - sum_;
+    sum_ = sum;
+    const uint32_t part = is_whole_ ? all : cutter_.cut(all);
     if (part != 0) {
       give(slot, part);
     }
   }
 
  private:
-  uint32_t part_of(uint32_t sum) const {
-    return static_cast<uint32_t>((static_cast<uint64_t>(sum) * weight_ + kRowOne / 2) >> 20);
-  }
-
   void give(uint16_t slot, uint32_t part) {
     if (slot == kEscapedSlot) {
       row_.escaped += part;
@@ -66,9 +63,9 @@ class RowWriter {
   }
 
   FormFactorRow& row_;
-  uint32_t begin_;
-  uint32_t weight_;
-  uint32_t written_;
+  Cutter cutter_;
+  uint32_t sum_ = 0;
+  bool is_whole_;
 };
 
 }  // namespace fixrad

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "lib/form_factor/scanline.h"
 
-#include "lib/form_factor/delta_table.h"
-
 namespace fixrad {
 namespace {
 
-// e = below x above with components cut to 20 bits: base + y step stays below 2^28 at R = 128, and the
-// dividend of a crossing below 2^32.
-constexpr int kEdgeBits = 20;
+// With |m| <= sqrt(2) in Q11, normal . m stays below 2^31 for a normal below 2^19.
+constexpr int kEdgeBits = 19;
 
 Vec3 vec(const Direction& d) {
   return {d.x, d.y, d.z};
@@ -32,19 +29,6 @@ void turn_to(int side, Vec3& v) {
   turn_to(side, v.x, v.y, v.z);
 }
 
-void turn_view(int side, uint16_t vertex_count, Workspace& work) {
-  for (uint16_t i = 0; i < vertex_count; ++i) {
-    turn_to(side, work.directions[i].x, work.directions[i].y, work.directions[i].z);
-  }
-  for (uint16_t i = 0; i < work.view_count; ++i) {
-    FaceView& view = work.views[i];
-    turn_to(side, view.depth_normal[0], view.depth_normal[1], view.depth_normal[2]);
-    turn_to(side, view.grid_u);
-    turn_to(side, view.grid_v);
-    turn_to(side, view.grid_n);
-  }
-}
-
 // Half-spaces through the eye that a hemicube side lies outside of; a face is invisible if all its corners
 // are in one.
 int outcode(Vec3 v, int side) {
@@ -56,15 +40,6 @@ int outcode(Vec3 v, int side) {
   return code;
 }
 
-int32_t floor_divide(int32_t a, int32_t b) {
-  const int32_t q = a / b;
-  return a % b != 0 && a < 0 ? q - 1 : q;
-}
-
-int32_t clamp(int32_t a, int32_t low, int32_t high) {
-  return a < low ? low : (a > high ? high : a);
-}
-
 bool is_outside(const Scene& scene, int side, const Direction* directions, const FaceView& view) {
   int outside = 31;
   for (int k = 0; k < view.corner_count && outside != 0; ++k) {
@@ -73,152 +48,164 @@ bool is_outside(const Scene& scene, int side, const Direction* directions, const
   return outside != 0;
 }
 
-// A vertex in front of the eye is above row r while 2 r + 1 - R <= R y / z, which gives the rows exactly.
-void find_heights(uint16_t vertex_count, int resolution_log2, Direction* directions) {
-  const int32_t r = static_cast<int32_t>(1) << resolution_log2;
-  for (uint16_t i = 0; i < vertex_count; ++i) {
-    Direction& d = directions[i];
-    d.height = d.z > 0 ? static_cast<int16_t>(clamp(floor_divide(d.y * r, d.z), -r - 1, r)) : kBehind;
-  }
-}
-
-bool is_above(const Direction& d, const RowPosition& at) {
-  if (d.height != kBehind) {
-    return at.y <= d.height;
-  }
-  return d.y * (static_cast<int32_t>(1) << at.resolution_log2) >= at.y * d.z;
-}
-
-// A face that reaches behind the eye may cross any row.
-void find_rows(const Scene& scene, int side, int resolution_log2, const Direction* directions,
-               FaceView& view) {
-  const int32_t r = static_cast<int32_t>(1) << resolution_log2;
-  const int32_t bottom = side == kTop ? 0 : r / 2;
-  view.first_row = 1;
-  view.last_row = 0;
-  if (is_outside(scene, side, directions, view)) {
-    return;
-  }
-  int32_t lowest = r, highest = -r - 1;
-  for (int k = 0; k < view.corner_count; ++k) {
-    const int32_t height = directions[view_corner(scene, view, k)].height;
-    if (height == kBehind) {
-      lowest = -r - 1;
-      highest = r;
-      break;
+// A vertex in front of the eye is above all rows up to some one, its opposite, behind the eye, above all that
+// it is not: a search finds where the rows change.
+RowMask rows_below(const Direction& d, const RowPlane* planes, int count) {
+  const bool is_front = d.z > 0 || (d.z == 0 && d.y >= 0);
+  int low = 0;
+  int high = count;
+  while (low < high) {
+    const int middle = (low + high) / 2;
+    const bool is_above = d.y * planes[middle].z >= d.z * planes[middle].y;
+    if (is_above == is_front) {
+      low = middle + 1;
+    } else {
+      high = middle;
     }
-    lowest = height < lowest ? height : lowest;
-    highest = height > highest ? height : highest;
   }
-  const int32_t first = clamp(floor_divide(lowest + r - 1, 2) + 1, bottom, r);
-  const int32_t last = clamp(floor_divide(highest + r - 1, 2), -1, r - 1);
-  if (first <= last) {
-    view.first_row = static_cast<uint8_t>(first);
-    view.last_row = static_cast<uint8_t>(last);
+  const RowMask until = static_cast<RowMask>((static_cast<uint32_t>(1) << low) - 1u);
+  return is_front ? until : static_cast<RowMask>(~until);
+}
+
+void find_rows_below(const DeltaTable& table, int first, int count, uint16_t vertex_count,
+                     Direction* directions) {
+  RowPlane planes[kBandRows];
+  for (int i = 0; i < count; ++i) {
+    planes[i] = row_plane(table, first + i);
+  }
+  for (uint16_t i = 0; i < vertex_count; ++i) {
+    directions[i].above = rows_below(directions[i], planes, count);
   }
 }
 
-// The reciprocal of an n-bit half width takes its top 16 bits, a numerator below 2^(n + 1) its top 15:
-// positions come out within half a unit, the same for both faces that share the edge.
-void start_edge(EdgeCursor& cursor, int resolution_log2, Vec3 below, Vec3 above) {
-  Vec3 e = cross(below, above);
-  const int excess = bit_length(max_magnitude(e)) - kEdgeBits;
-  if (excess > 0) {
-    e = scale_down(e, excess);
+// Rows that edges cross. A convex face has one rising and one falling edge on a row, or none.
+void find_rows(const Scene& scene, int count, const Direction* directions, FaceView& view) {
+  const uint32_t band = (static_cast<uint32_t>(1) << count) - 1u;
+  RowMask rising = 0, falling = 0, ragged = 0;
+  RowMask a = directions[view_corner(scene, view, view.corner_count - 1)].above;
+  for (int k = 0; k < view.corner_count; ++k) {
+    const RowMask b = directions[view_corner(scene, view, k)].above;
+    const RowMask up = static_cast<RowMask>(b & ~a), down = static_cast<RowMask>(a & ~b);
+    ragged = static_cast<RowMask>(ragged | (rising & up) | (falling & down));
+    rising = static_cast<RowMask>(rising | up);
+    falling = static_cast<RowMask>(falling | down);
+    a = b;
   }
-  const int32_t r = static_cast<int32_t>(1) << resolution_log2;
-  cursor.base = e.z * r;
-  cursor.step = e.y;
-  cursor.half_width = e.x < 0 ? -e.x * r : 0;
-  if (cursor.half_width > 0) {
-    const uint32_t width = static_cast<uint32_t>(cursor.half_width);
-    const int bits = bit_length(width);
-    const uint32_t top = bits > 16 ? width >> (bits - 16) : width << (16 - bits);
-    const uint32_t reciprocal = (static_cast<uint32_t>(1) << 31) / top;
-    cursor.reciprocal = static_cast<uint16_t>(reciprocal > 0xffff ? 0xffff : reciprocal);
-    cursor.shift = static_cast<int8_t>(bits - 14);
+  view.rows = static_cast<RowMask>(rising & band);
+  view.ragged = ragged;
+  view.left.rows = view.right.rows = 0;
+}
+
+void start_edge(EdgeCursor& cursor, const Direction& below, const Direction& above) {
+  cursor.normal = block_normalise(cross(vec(below), vec(above)), kEdgeBits);
+  cursor.rows = static_cast<RowMask>(above.above & ~below.above);
+}
+
+bool is_behind(const EdgeCursor& cursor) {
+  return cursor.normal.x >= 0;
+}
+
+int32_t crossing(const EdgeCursor& cursor, const RowPlane& plane) {
+  const int32_t m = cursor.normal.y * plane.y + cursor.normal.z * plane.z;
+  return row_crossing(cursor.normal.x, floor_shift(m, kPlaneBits), plane.fold);
+}
+
+// The edge that crosses the row upwards (walking the corners), or downwards.
+void find_edge(const Scene& scene, RowMask bit, bool upwards, const Direction* directions,
+               const FaceView& view, EdgeCursor& cursor) {
+  const Direction* a = directions + view_corner(scene, view, view.corner_count - 1);
+  for (int k = 0; k < view.corner_count; ++k) {
+    const Direction* b = directions + view_corner(scene, view, k);
+    const Direction* above = upwards ? b : a;
+    const Direction* below = upwards ? a : b;
+    if ((above->above & ~below->above & bit) != 0) {
+      start_edge(cursor, *below, *above);
+      return;
+    }
+    a = b;
   }
 }
 
-// x where an edge in front of the eye crosses the row: numerator / half_width * 2^11, in a product below
-// 2^31.
-int32_t crossing(const EdgeCursor& cursor, const RowPosition& at) {
-  const int32_t from_left = cursor.half_width + cursor.base + at.y * cursor.step;
-  if (from_left <= 0) {
-    return 0;
+// Where more than two edges cross, the outermost count.
+Interval ragged_interval(const Scene& scene, const BandRow& row, const Direction* directions,
+                         const FaceView& view) {
+  int32_t left = kRowEnd, right = 0;
+  bool left_behind = false, right_behind = false;
+  const Direction* a = directions + view_corner(scene, view, view.corner_count - 1);
+  for (int k = 0; k < view.corner_count; ++k) {
+    const Direction* b = directions + view_corner(scene, view, k);
+    if (((a->above ^ b->above) & row.bit) != 0) {
+      const bool upwards = (b->above & row.bit) != 0;
+      const bool is_left = upwards != view.is_back;
+      EdgeCursor edge;
+      start_edge(edge, upwards ? *a : *b, upwards ? *b : *a);
+      if (is_behind(edge)) {
+        (is_left ? left_behind : right_behind) = true;
+      } else {
+        const int32_t x = crossing(edge, row.plane);
+        left = is_left && x < left ? x : left;
+        right = !is_left && x > right ? x : right;
+      }
+    }
+    a = b;
   }
-  if (from_left >= 2 * cursor.half_width) {
-    return kRowEnd;
+  if (left_behind && right_behind) {
+    return {0, 0};
   }
-  const uint32_t n = static_cast<uint32_t>(from_left);
-  const uint32_t numerator = cursor.shift >= 0 ? n >> cursor.shift : n << -cursor.shift;
-  return static_cast<int32_t>((numerator * cursor.reciprocal) >> 18);
-}
-
-// Ends of the covered part while the corners are walked; an end behind the eye leaves the row at its own
-// border.
-struct Ends {
-  int32_t left, right;
-  bool left_behind, right_behind;
-};
-
-void meet_edge(const RowPosition& at, bool is_left, uint8_t edge, const Direction& below,
-               const Direction& above, FaceView& view, Ends& ends) {
-  EdgeCursor& cursor = is_left ? view.left : view.right;
-  if (cursor.edge != edge) {
-    start_edge(cursor, at.resolution_log2, vec(below), vec(above));
-    cursor.edge = edge;
-  }
-  if (cursor.half_width == 0) {
-    (is_left ? ends.left_behind : ends.right_behind) = true;
-    return;
-  }
-  const int32_t x = crossing(cursor, at);
-  if (is_left) {
-    ends.left = x < ends.left ? x : ends.left;
-  } else {
-    ends.right = x > ends.right ? x : ends.right;
-  }
+  return {left_behind ? 0 : left, right_behind ? kRowEnd : right};
 }
 
 }  // namespace
 
-void enter_side(const Scene& scene, int side, int resolution_log2, Workspace& work) {
-  if (side != kTop) {
-    turn_view(side, scene.vertex_count, work);
+void turn_view(int side, uint16_t vertex_count, Workspace& work) {
+  for (uint16_t i = 0; i < vertex_count; ++i) {
+    turn_to(side, work.directions[i].x, work.directions[i].y, work.directions[i].z);
   }
-  find_heights(scene.vertex_count, resolution_log2, work.directions);
   for (uint16_t i = 0; i < work.view_count; ++i) {
     FaceView& view = work.views[i];
-    view.left.edge = kNoEdge;
-    view.right.edge = kNoEdge;
-    find_rows(scene, side, resolution_log2, work.directions, view);
+    turn_to(side, view.depth[0], view.depth[1], view.depth[2]);
+    turn_to(side, view.grid_u);
+    turn_to(side, view.grid_v);
+    turn_to(side, view.grid_n);
+  }
+}
+
+void enter_band(const Scene& scene, const DeltaTable& table, int first, int count, Workspace& work) {
+  find_rows_below(table, first, count, scene.vertex_count, work.directions);
+  for (uint16_t i = 0; i < work.view_count; ++i) {
+    find_rows(scene, count, work.directions, work.views[i]);
+  }
+}
+
+void enter_side_band(const Scene& scene, const DeltaTable& table, int side, int first, int count,
+                     Workspace& work) {
+  enter_band(scene, table, first, count, work);
+  for (uint16_t i = 0; i < work.view_count; ++i) {
+    FaceView& view = work.views[i];
+    if (view.rows != 0 && is_outside(scene, side, work.directions, view)) {
+      view.rows = 0;
+    }
   }
 }
 
 // Seen from the eye with z away from it, a front face runs clockwise in (x, y): its rising edges are on the
-// left.
-Interval face_interval(const Scene& scene, const RowPosition& at, const Direction* directions,
-                       FaceView& view) {
-  Ends ends = {kRowEnd, 0, false, false};
-  int from = view.corner_count - 1;
-  const Direction* a = directions + view_corner(scene, view, from);
-  bool a_above = is_above(*a, at);
-  for (int k = 0; k < view.corner_count; ++k) {
-    const Direction* b = directions + view_corner(scene, view, k);
-    const bool b_above = is_above(*b, at);
-    if (a_above != b_above) {
-      const bool is_left = b_above != view.is_back;
-      meet_edge(at, is_left, static_cast<uint8_t>(from), b_above ? *a : *b, b_above ? *b : *a, view, ends);
-    }
-    a = b;
-    a_above = b_above;
-    from = k;
+// left. An end behind the eye leaves the row at its own border.
+Interval face_interval(const Scene& scene, const BandRow& row, const Direction* directions, FaceView& view) {
+  if ((view.ragged & row.bit) != 0) {
+    return ragged_interval(scene, row, directions, view);
   }
-  if (ends.left_behind && ends.right_behind) {
+  if ((view.left.rows & row.bit) == 0) {
+    find_edge(scene, row.bit, !view.is_back, directions, view, view.left);
+  }
+  if ((view.right.rows & row.bit) == 0) {
+    find_edge(scene, row.bit, view.is_back, directions, view, view.right);
+  }
+  const bool left_behind = is_behind(view.left), right_behind = is_behind(view.right);
+  if (left_behind && right_behind) {
     return {0, 0};
   }
-  return {ends.left_behind ? 0 : ends.left, ends.right_behind ? kRowEnd : ends.right};
+  return {left_behind ? 0 : crossing(view.left, row.plane),
+          right_behind ? kRowEnd : crossing(view.right, row.plane)};
 }
 
 }  // namespace fixrad

@@ -6,119 +6,134 @@
 namespace fixrad {
 namespace {
 
-Vec3 depth_normal(const FaceView& view) {
-  return vec(view.depth_normal);
+// 14 bits of a face's depth, one for the sum, 11 of a position, one for its sum: what is left of 31.
+constexpr int kGuardBits = 4;
+
+// Shifts beyond the width of a number leave its sign.
+int capped(int shift) {
+  return shift < 31 ? shift : 31;
 }
 
-// begin + (end - begin) * a / (a + b), with a and b cut to the 19 bits that the dividend has room for.
-int32_t zero_between(Interval part, uint64_t a, uint64_t b) {
-  while ((a | b) >> 19 != 0) {
-    a >>= 1;
-    b >>= 1;
-  }
-  const uint32_t width = static_cast<uint32_t>(part.end - part.begin);
-  const uint32_t sum = static_cast<uint32_t>(a + b);
-  return part.begin + (sum == 0 ? 0 : static_cast<int32_t>(width * static_cast<uint32_t>(a) / sum));
+int32_t clamp(int32_t a, Interval range) {
+  return a < range.begin ? range.begin : (a > range.end ? range.end : a);
+}
+
+// The position where two faces are equally near; both lines come to the exponent of the farther face.
+int32_t where_equal(const RowDepth& a, const RowDepth& b) {
+  const int difference = a.shift - b.shift;
+  const int32_t ax = difference > 0 ? floor_shift(a.x, capped(difference)) : a.x;
+  const int32_t am = difference > 0 ? floor_shift(a.m, capped(difference)) : a.m;
+  const int32_t bx = difference < 0 ? floor_shift(b.x, capped(-difference)) : b.x;
+  const int32_t bm = difference < 0 ? floor_shift(b.m, capped(-difference)) : b.m;
+  return row_crossing(ax - bx, am - bm, a.fold);
 }
 
 }  // namespace
 
-int64_t nearness(const FaceView& a, const FaceView& b, Vec3 d) {
-  return static_cast<int64_t>(dot(depth_normal(a), d)) * b.depth_distance -
-         static_cast<int64_t>(dot(depth_normal(b), d)) * a.depth_distance;
+RowDepth row_depth(const FaceView& view, const RowPlane& plane) {
+  const int32_t m = view.depth[1] * plane.y + view.depth[2] * plane.z;
+  return {static_cast<int32_t>(view.depth[0]) * (1 << kGuardBits), floor_shift(m, kPlaneBits - kGuardBits),
+          plane.fold, view.depth_shift};
 }
 
-void VisibleSpans::reset() {
-  work_.spans[0] = {0, kNothing, kNoSpan};
-  free_ = kNoSpan;
-  used_ = 1;
+int32_t nearness(const RowDepth& a, const RowDepth& b, int32_t position) {
+  const int difference = a.shift - b.shift;
+  const int32_t at_a = a.at(position), at_b = b.at(position);
+  return difference > 0 ? floor_shift(at_a, capped(difference)) - at_b
+                        : at_a - floor_shift(at_b, capped(-difference));
 }
 
-int32_t VisibleSpans::end_of(uint16_t i) const {
-  const uint16_t next = work_.spans[i].next;
-  return next == kNoSpan ? kRowEnd : work_.spans[next].start;
-}
+namespace {
 
-Interval VisibleSpans::nearer_part(uint16_t index, uint16_t other, Interval part,
-                                   const RowPosition& at) const {
-  if (other == kNothing) {
-    return part;
-  }
-  const FaceView& a = work_.views[index];
-  const FaceView& b = work_.views[other];
-  const int64_t begin = nearness(a, b, at.direction(part.begin));
-  const int64_t end = nearness(a, b, at.direction(part.end));
+// The piece of `part` where `a` is nearer than `b`.
+Interval nearer_part(const RowDepth& a, const RowDepth& b, Interval part) {
+  const int32_t begin = nearness(a, b, part.begin);
+  const int32_t end = nearness(a, b, part.end);
   if (begin <= 0 && end <= 0) {
     return {part.begin, part.begin};
   }
   if (begin >= 0 && end >= 0) {
     return part;
   }
-  if (begin > 0) {
-    return {part.begin, zero_between(part, static_cast<uint64_t>(begin), static_cast<uint64_t>(-end))};
-  }
-  return {zero_between(part, static_cast<uint64_t>(-begin), static_cast<uint64_t>(end)), part.end};
+  const int32_t border = clamp(where_equal(a, b), part);
+  return begin > 0 ? Interval{part.begin, border} : Interval{border, part.end};
 }
 
-// Cuts span i at x (inside it) and returns the right-hand half, or kNoSpan if the pool is full.
-uint16_t VisibleSpans::split(uint16_t i, int32_t x) {
-  uint16_t fresh = free_;
-  if (fresh != kNoSpan) {
-    free_ = work_.spans[fresh].next;
-  } else if (used_ < work_.span_capacity) {
-    fresh = used_++;
-    work_.span_high_water = used_ > work_.span_high_water ? used_ : work_.span_high_water;
-  } else {
-    return kNoSpan;
-  }
-  work_.spans[fresh] = {static_cast<uint16_t>(x), work_.spans[i].view, work_.spans[i].next};
-  work_.spans[i].next = fresh;
-  return fresh;
+}  // namespace
+
+void VisibleSpans::reset() {
+  work_.spans[0] = {0, kNothing};
+  work_.spans[1] = {static_cast<int16_t>(kRowEnd), kNothing};
+  count_ = 1;
 }
 
-// Gives `part` of span i to `index`; joins it to `previous` where that shows the same face, so that a face
-// that replaces many keeps one span.
-bool VisibleSpans::paint(uint16_t& previous, uint16_t i, Interval part, uint16_t index) {
-  if (part.end < end_of(i) && split(i, part.end) == kNoSpan) {
+// Makes room for `spans` spans before span i.
+bool VisibleSpans::open(uint16_t i, uint16_t spans) {
+  const uint16_t used = static_cast<uint16_t>(count_ + 1 + spans);
+  if (used > work_.span_capacity) {
     return false;
   }
-  if (part.begin > work_.spans[i].start) {
-    previous = i;
-    i = split(i, part.begin);
-    if (i == kNoSpan) {
+  for (uint16_t k = count_ + 1; k-- > i;) {
+    work_.spans[k + spans] = work_.spans[k];
+  }
+  count_ = static_cast<uint16_t>(count_ + spans);
+  work_.span_high_water = used > work_.span_high_water ? used : work_.span_high_water;
+  return true;
+}
+
+// Takes span i out; the one before it grows.
+void VisibleSpans::close(uint16_t i) {
+  for (uint16_t k = i; k < count_; ++k) {
+    work_.spans[k] = work_.spans[k + 1];
+  }
+  --count_;
+}
+
+// Gives `part` of span i to `index` and moves i to the last of the spans that come of it. Joins it to the span
+// before where that shows the same face, so that a face that replaces many keeps one span.
+bool VisibleSpans::paint(uint16_t& i, Interval part, uint16_t index) {
+  Span* spans = work_.spans;
+  const bool has_head = part.begin > spans[i].start;
+  const bool has_tail = part.end < spans[i + 1].start;
+  if (!has_head && i > 0 && spans[i - 1].view == index) {
+    if (has_tail) {
+      spans[i].start = static_cast<int16_t>(part.end);
+    } else {
+      close(i--);
+    }
+    return true;
+  }
+  const uint16_t old = spans[i].view;
+  if (has_head || has_tail) {
+    if (!open(static_cast<uint16_t>(i + 1), has_head && has_tail ? 2 : 1)) {
       return false;
     }
   }
-  work_.spans[i].view = index;
-  if (previous != kNoSpan && work_.spans[previous].view == index) {
-    work_.spans[previous].next = work_.spans[i].next;
-    work_.spans[i].next = free_;
-    free_ = i;
-  } else {
-    previous = i;
+  if (has_head) {
+    spans[++i].start = static_cast<int16_t>(part.begin);
+  }
+  spans[i].view = index;
+  if (has_tail) {
+    spans[++i] = {static_cast<int16_t>(part.end), old};
   }
   return true;
 }
 
-bool VisibleSpans::insert(uint16_t index, Interval part, const RowPosition& at) {
-  uint16_t previous = kNoSpan;
+bool VisibleSpans::insert(uint16_t index, Interval part, const RowPlane& plane) {
+  const Span* spans = work_.spans;
+  const RowDepth depth = row_depth(work_.views[index], plane);
   uint16_t i = 0;
-  while (i != kNoSpan && work_.spans[i].start < part.end) {
-    const int32_t start = work_.spans[i].start;
-    const int32_t end = end_of(i);
-    if (end > part.begin) {
-      const Interval overlap = {start > part.begin ? start : part.begin, end < part.end ? end : part.end};
-      const Interval won = nearer_part(index, work_.spans[i].view, overlap, at);
-      if (won.begin < won.end) {
-        if (!paint(previous, i, won, index)) {
-          return false;
-        }
-        i = work_.spans[previous].next;
-      }
+  while (spans[i + 1].start <= part.begin) {
+    ++i;
+  }
+  for (; spans[i].start < part.end; ++i) {
+    Interval won = {spans[i].start > part.begin ? spans[i].start : part.begin,
+                    spans[i + 1].start < part.end ? spans[i + 1].start : part.end};
+    if (spans[i].view != kNothing) {
+      won = nearer_part(depth, row_depth(work_.views[spans[i].view], plane), won);
     }
-    while (i != kNoSpan && work_.spans[i].start < end) {
-      previous = i;
-      i = work_.spans[i].next;
+    if (won.begin < won.end && !paint(i, won, index)) {
+      return false;
     }
   }
   return true;

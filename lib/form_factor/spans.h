@@ -7,36 +7,48 @@
 
 namespace fixrad {
 
-/// Sign of (1/depth of `a`) - (1/depth of `b`) in direction d (components at most 2^11), times both plane
-/// distances: above 0 where a is nearer. 2^27 x 2^31 fits 64 bits; no division, no common scale.
-int64_t nearness(const FaceView& a, const FaceView& b, Vec3 d);
+/// 1/depth of a face along one row, in 2^-shift of a unit common to all faces: linear in a position's x and w.
+/// x and m below 2^19, |at(p)| < 2^30.
+struct RowDepth {
+  int32_t x, m;
+  uint32_t fold;
+  uint8_t shift;
 
-/// What is visible along one row, resolved between faces: a linked list of spans from 0 to kRowEnd, each
-/// showing one face or nothing, kept in a bounded pool.
+  int32_t at(int32_t position) const {
+    const int32_t from_middle = position - kRowMiddle;
+    return x * from_middle + m * (kRowMiddle - static_cast<int32_t>(magnitude(from_middle) & fold));
+  }
+};
+RowDepth row_depth(const FaceView& view, const RowPlane& plane);
+
+/// Above 0 where `a` is nearer than `b` at a position of the row, below 0 where b is.
+int32_t nearness(const RowDepth& a, const RowDepth& b, int32_t position);
+
+/// What is visible along one row, resolved between faces: spans in order from 0 to kRowEnd, each showing one
+/// face or nothing, in a bounded pool; one span more, at kRowEnd, ends them.
 class VisibleSpans {
  public:
   explicit VisibleSpans(Workspace& work) : work_(work) {}
 
-  /// Starts a row that shows nothing.
+  /// Starts a row that shows nothing. Needs a pool of two.
   void reset();
 
-  /// Shows view `index` on `part` where it is nearer than what is there; of equals the earlier one stays.
-  /// Faces that pierce each other are split where they cross. False if the pool is full: the row is then
-  /// unusable.
-  bool insert(uint16_t index, Interval part, const RowPosition& at);
+  /// Shows view `index` on `part` (not empty) where it is nearer than what is there; of equals the earlier one
+  /// stays. Faces that pierce each other are split where they cross. False if the pool is full: the row is
+  /// then unusable. Cost: linear in the number of spans; four products for each face that is met.
+  bool insert(uint16_t index, Interval part, const RowPlane& plane);
 
-  uint16_t first() const { return 0; }
-  const Span& operator[](uint16_t i) const { return work_.spans[i]; }
-  int32_t end_of(uint16_t i) const;
+  uint16_t count() const { return count_; }
+  uint16_t view(uint16_t i) const { return work_.spans[i].view; }
+  Interval part(uint16_t i) const { return {work_.spans[i].start, work_.spans[i + 1].start}; }
 
  private:
-  Interval nearer_part(uint16_t index, uint16_t other, Interval part, const RowPosition& at) const;
-  uint16_t split(uint16_t i, int32_t x);
-  bool paint(uint16_t& previous, uint16_t i, Interval part, uint16_t index);
+  bool open(uint16_t i, uint16_t spans);
+  void close(uint16_t i);
+  bool paint(uint16_t& i, Interval part, uint16_t index);
 
   Workspace& work_;
-  uint16_t free_ = kNoSpan;
-  uint16_t used_ = 0;
+  uint16_t count_ = 0;
 };
 
 }  // namespace fixrad

@@ -6,6 +6,11 @@
 namespace fixrad {
 namespace {
 
+// The part along a row's m of a vector of the grid, in its own unit.
+int32_t along(Vec3 grid, const RowPlane& plane) {
+  return floor_shift(grid.y * plane.y + grid.z * plane.z, kPlaneBits);
+}
+
 // value / weight rounded down into [0, cells): rounding may put the ends of an interval just outside its
 // face.
 int16_t cell_of(int32_t value, int32_t weight, uint8_t cells) {
@@ -18,35 +23,37 @@ int16_t cell_of(int32_t value, int32_t weight, uint8_t cells) {
 
 }  // namespace
 
-ElementWalk::ElementWalk(const Scene& scene, const FaceView& view, const RowPosition& at, Interval part)
-    : scene_(scene), view_(view), part_(part), end_(part.begin) {
-  u_ = {0, 0, 0, 1, 0, part.end};
-  v_ = {0, 0, 0, 1, 0, part.end};
-  begin_weight_ = end_weight_ = 1;
+ElementWalk::ElementWalk(const Scene& scene, const FaceView& view, const RowPlane& plane, Interval part)
+    : scene_(scene), view_(view), part_(part), fold_(plane.fold), end_(part.begin) {
+  u_ = v_ = {0, 0, 0, part.end, 0, 1, 0};
   if (view_.cells_u * view_.cells_v > 1) {
-    const Vec3 d0 = at.direction(part.begin);
-    const Vec3 d1 = at.direction(part.end);
-    begin_weight_ = dot(view.grid_n, d0);
-    end_weight_ = dot(view.grid_n, d1);
-    start_axis(u_, view.grid_u, view_.cells_u, d0, d1);
-    start_axis(v_, view.grid_v, view_.cells_v, d0, d1);
+    const int32_t x0 = part.begin - kRowMiddle, x1 = part.end - kRowMiddle;
+    begin_point_ = {x0, plane.weight(x0)};
+    end_point_ = {x1, plane.weight(x1)};
+    weight_x_ = view.grid_n.x;
+    weight_m_ = along(view.grid_n, plane);
+    begin_weight_ = begin_point_.of(weight_x_, weight_m_);
+    end_weight_ = end_point_.of(weight_x_, weight_m_);
+    start_axis(u_, view.grid_u, view_.cells_u, plane);
+    start_axis(v_, view.grid_v, view_.cells_v, plane);
   }
 }
 
-void ElementWalk::start_axis(Axis& axis, Vec3 grid, uint8_t cells, Vec3 d0, Vec3 d1) const {
+void ElementWalk::start_axis(Axis& axis, const Vec3& grid, uint8_t cells, const RowPlane& plane) {
   if (cells == 1) {
     return;
   }
-  axis.begin_value = dot(grid, d0);
-  axis.end_value = dot(grid, d1);
+  axis.x = grid.x;
+  axis.m = along(grid, plane);
+  axis.end_value = end_point_.of(axis.x, axis.m);
   axis.cells = cells;
-  axis.cell = cell_of(axis.begin_value, begin_weight_, cells);
+  axis.cell = cell_of(begin_point_.of(axis.x, axis.m), begin_weight_, cells);
   axis.step = axis.end_value < axis.cell * end_weight_ ? -1 : 1;
   find_border(axis);
 }
 
-// The line between cell k - 1 and k is the zero of value - k weight, which is linear along the row; the
-// interval reaches it if its end is beyond.
+// The line between cell k - 1 and k is the zero of value - k weight; the interval reaches it if its end is
+// beyond.
 void ElementWalk::find_border(Axis& axis) const {
   const int32_t k = axis.step > 0 ? axis.cell + 1 : axis.cell;
   const int32_t beyond = axis.end_value - k * end_weight_;
@@ -55,21 +62,18 @@ void ElementWalk::find_border(Axis& axis) const {
     axis.border = part_.end;
     return;
   }
-  uint32_t a = magnitude(axis.begin_value - k * begin_weight_);
-  uint32_t b = magnitude(beyond);
-  const int excess = bit_length(a | b) - 19;  // leaves room for 12 bits of width and the sum's carry
-  if (excess > 0) {
-    a >>= excess;
-    b >>= excess;
-  }
-  const uint32_t width = static_cast<uint32_t>(part_.end - part_.begin);
-  axis.border = part_.begin + (a + b == 0 ? 0 : static_cast<int32_t>(width * a / (a + b)));
+  const int32_t border = row_crossing(axis.x - k * weight_x_, axis.m - k * weight_m_, fold_);
+  axis.border = border < part_.end ? border : part_.end;
 }
 
-uint16_t ElementWalk::element_at(int16_t u, int16_t v) const {
-  const CellRow row = flash_read(scene_.cell_rows, static_cast<unsigned>(view_.first_cell_row + v));
-  const int16_t cell = u < row.first_cell ? row.first_cell : (u > row.last_cell ? row.last_cell : u);
-  return static_cast<uint16_t>(row.first_element + (cell - row.first_cell));
+uint16_t ElementWalk::element_at(int16_t u, int16_t v) {
+  if (v != cell_row_number_) {
+    cell_row_ = flash_read(scene_.cell_rows, view_.first_cell_row + static_cast<unsigned>(v));
+    cell_row_number_ = v;
+  }
+  const int16_t cell =
+      u < cell_row_.first_cell ? cell_row_.first_cell : (u > cell_row_.last_cell ? cell_row_.last_cell : u);
+  return static_cast<uint16_t>(cell_row_.first_element + static_cast<unsigned>(cell - cell_row_.first_cell));
 }
 
 bool ElementWalk::next() {

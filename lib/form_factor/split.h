@@ -10,13 +10,13 @@ namespace fixrad {
 /// Walks the visible interval of one face along a row and cuts it where it crosses the face's element grid.
 /// Both cell coordinates are monotone along the interval, so it steps from cell to cell.
 ///
-///     for (ElementWalk walk(scene, view, at, part); walk.next();) use(walk.element(), walk.end());
+///     for (ElementWalk walk(scene, view, plane, part); walk.next();) use(walk.element(), walk.end());
 ///
-/// Cost: six dot products and up to two divisions an interval, one division a crossing.
+/// Cost: fifteen products and up to two divisions of 7 quotient bits an interval, one division of 11 a crossing.
 class ElementWalk {
  public:
   /// Needs part.begin < part.end, and `view` to show its front.
-  ElementWalk(const Scene& scene, const FaceView& view, const RowPosition& at, Interval part);
+  ElementWalk(const Scene& scene, const FaceView& view, const RowPlane& plane, Interval part);
 
   /// Moves to the next piece; false when the interval is used up.
   bool next();
@@ -25,23 +25,36 @@ class ElementWalk {
   int32_t end() const { return end_; }           ///< where the piece ends, row position
 
  private:
-  // One family of parallel grid lines: at the ends of the interval the cell coordinate is value / weight.
+  // One family of parallel grid lines along the row: the line between cells k - 1 and k is the zero of
+  // (x - k weight_x_) s + (m - k weight_m_), s along the axis.
   struct Axis {
-    int32_t begin_value, end_value;
+    int32_t x, m;
+    int32_t end_value;  // (x, m) at the end of the interval
+    int32_t border;     // row position where the current cell ends
     int16_t cell, cells;
-    int16_t step;    // to the next cell: 1, -1, or 0 in the last one
-    int32_t border;  // row position where the current cell ends
+    int16_t step;  // to the next cell: 1, -1, or 0 in the last one
   };
 
-  void start_axis(Axis& axis, Vec3 grid, uint8_t cells, Vec3 d0, Vec3 d1) const;
+  // A position's coordinates, see RowPlane.
+  struct Point {
+    int32_t x, w;
+    int32_t of(int32_t along_x, int32_t along_m) const { return along_x * x + along_m * w; }
+  };
+
+  void start_axis(Axis& axis, const Vec3& grid, uint8_t cells, const RowPlane& plane);
   void find_border(Axis& axis) const;
-  uint16_t element_at(int16_t u, int16_t v) const;
+  uint16_t element_at(int16_t u, int16_t v);
 
   const Scene& scene_;
   const FaceView& view_;
   Interval part_;
-  int32_t begin_weight_, end_weight_;
+  uint32_t fold_;
+  Point begin_point_ = {0, 0}, end_point_ = {0, 0};
+  int32_t weight_x_ = 0, weight_m_ = 0;
+  int32_t begin_weight_ = 1, end_weight_ = 1;
   Axis u_, v_;
+  CellRow cell_row_ = {0, 0, 0};
+  int16_t cell_row_number_ = -1;
   uint16_t element_ = 0;
   int32_t end_;
 };

@@ -17,8 +17,7 @@ void make_directions(const Scene& scene, const EyeFrame& frame, Vec3 eye, Direct
     const Vec3 v = vec(flash_read(scene.vertices, i));
     const Vec3 offset = {v.x * kEyeScale - eye.x, v.y * kEyeScale - eye.y, v.z * kEyeScale - eye.z};
     const Vec3 d = block_normalise(to_local(frame, offset), kDirectionBits);
-    directions[i] = {static_cast<int16_t>(d.x), static_cast<int16_t>(d.y), static_cast<int16_t>(d.z),
-                     kBehind};
+    directions[i] = {static_cast<int16_t>(d.x), static_cast<int16_t>(d.y), static_cast<int16_t>(d.z), 0};
   }
 }
 
@@ -75,15 +74,32 @@ void make_grid(const Face& face, const EyeFrame& frame, Vec3 eye, FaceView& view
 }
 
 // Depth comes from the face's own unit normal, not from the grid: the grid's vectors share one scale, in
-// which the normal of a small far face keeps few bits.
+// which the normal of a small far face keeps few bits. With h the distance and H its top 16 bits, n_i / h =
+// (n_i 2^15 / H) 2^-15 2^-(bits - 16): a block of three numbers up to 2^14 and an exponent.
 void make_plane(const EyeFrame& frame, Vec3 normal, int32_t height, FaceView& view) {
   const Vec3 n = scale_down(to_local(frame, normal), 14);
-  const int32_t sign = view.is_back ? 1 : -1;
-  view.depth_normal[0] = static_cast<int16_t>(sign * n.x);
-  view.depth_normal[1] = static_cast<int16_t>(sign * n.y);
-  view.depth_normal[2] = static_cast<int16_t>(sign * n.z);
   const int32_t distance = view.is_back ? -height : height;
-  view.depth_distance = distance > 0 ? distance : 1;
+  const uint32_t h = distance > 0 ? static_cast<uint32_t>(distance) : 1;
+  const int bits = bit_length(h);
+  const uint32_t top = bits > 16 ? h >> (bits - 16) : h << (16 - bits);
+  const uint32_t reciprocal = (static_cast<uint32_t>(1) << 31) / top;
+  const int32_t factor = static_cast<int32_t>(reciprocal < 0xffffu ? reciprocal : 0xffffu);
+  const int32_t sign = view.is_back ? factor : -factor;
+  view.depth[0] = static_cast<int16_t>(floor_shift(n.x * sign, 16));
+  view.depth[1] = static_cast<int16_t>(floor_shift(n.y * sign, 16));
+  view.depth[2] = static_cast<int16_t>(floor_shift(n.z * sign, 16));
+  view.depth_shift = static_cast<uint8_t>(bits);
+}
+
+// Not inlined: clang for AVR runs out of registers in the loop over all faces.
+__attribute__((noinline)) void see_face(const EyeFrame& frame, const Face& face, int32_t height,
+                                        FaceView& view) {
+  view.first_corner = face.first_corner;
+  view.corner_count = face.corner_count;
+  view.first_cell_row = face.first_cell_row;
+  view.cells_u = face.cells_u;
+  view.cells_v = face.cells_v;
+  make_plane(frame, vec(face.normal), height, view);
 }
 
 }  // namespace
@@ -102,16 +118,17 @@ void make_view(const Scene& scene, const EyePoint& eye, bool back_faces, Workspa
     }
     FaceView& view = work.views[work.view_count++];
     view.face = f;
-    view.first_corner = face.first_corner;
-    view.corner_count = face.corner_count;
-    view.first_cell_row = face.first_cell_row;
-    view.cells_u = face.cells_u;
-    view.cells_v = face.cells_v;
     view.is_back = is_back;
-    make_plane(frame, vec(face.normal), height, view);
-    view.grid_u = view.grid_v = view.grid_n = {0, 0, 0};
-    if (!is_back && face.cells_u * face.cells_v > 1) {
-      make_grid(face, frame, eye.position, view);
+    see_face(frame, face, height, view);
+  }
+}
+
+void make_grids(const Scene& scene, const EyePoint& eye, Workspace& work) {
+  const EyeFrame frame = eye_frame(flash_read(scene.faces, eye.face), eye.turn);
+  for (uint16_t i = 0; i < work.view_count; ++i) {
+    FaceView& view = work.views[i];
+    if (!view.is_back && view.cells_u * view.cells_v > 1) {
+      make_grid(flash_read(scene.faces, view.face), frame, eye.position, view);
     }
   }
 }

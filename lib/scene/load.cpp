@@ -174,7 +174,7 @@ Status check_light(const Scene& scene, int channel, bool& emits) {
     const Material material = flash_read(scene.materials, element.material);
     const uint64_t flux =
         (static_cast<uint64_t>(material.emission[channel]) * element.area) >> scene.emission_shift;
-    if (flux >= (1u << 30)) {
+    if (flux >= (1ul << 30)) {
       return Status::flux_overflow;
     }
     emitted += flux;

@@ -105,7 +105,7 @@ inline Vec3 vec(Vertex v) {
 
 /// Vertex of corner `k` (0 <= k < corner_count) of `face`, as an index into the vertex table.
 inline uint16_t corner_vertex(const Scene& scene, const Face& face, int k) {
-  return flash_read(scene.corners, static_cast<unsigned>(face.first_corner + k));
+  return flash_read(scene.corners, face.first_corner + static_cast<unsigned>(k));
 }
 
 /// Flux that an element emits by itself, one channel. The product has 64 bits.

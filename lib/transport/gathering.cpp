@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lib/transport/gathering.h"
 
+#include "lib/fixed/cutter.h"
 #include "lib/transport/sampling.h"
 #include "lib/transport/shooting.h"
 
@@ -65,8 +66,8 @@ Status sample_matrix_row(State& state, FormFactorMatrix& matrix, uint16_t e) {
     matrix.exitent[static_cast<uint32_t>(e) * scene.channels + static_cast<uint32_t>(c)] = light.emitted.raw;
     emits = emits || light.emitted.raw > 0;
   }
-  Centroid centroid = Centroid::unknown;
-  const Status status = sample_source(state, element_source(scene, e), emits ? 9 : 1, centroid);
+  KnownEyes known = 0;
+  const Status status = sample_source(state, element_source(scene, e), emits ? 9 : 1, known);
   if (status != Status::ok) {
     return status;
   }
@@ -107,14 +108,15 @@ void book_gathering(State& state, const FormFactorMatrix& matrix) {
     state.escaped[c] = state.back[c] = 0;
     for (uint32_t i = 0; i < scene.element_count; ++i) {
       const Flux amount = Flux::from_raw(matrix.exitent[i * channels + c]);
-      uint32_t sum = 0;
+      FluxCutter cutter(amount, 0);
+      uint32_t left = kRowOne;
       for (uint32_t j = 0; j < scene.element_count; ++j) {
-        const uint32_t next = sum + matrix.share[i * scene.element_count + j];
-        state.received[j * channels + c] += share_of(amount, sum * kMatrixUnit, next * kMatrixUnit, 0).raw;
-        sum = next;
+        const uint32_t part = matrix.share[i * scene.element_count + j] * kMatrixUnit;
+        state.received[j * channels + c] += cutter.cut(part).raw;
+        left -= part;
       }
-      state.back[c] += share_of(amount, sum * kMatrixUnit, (sum + matrix.back[i]) * kMatrixUnit, 0).raw;
-      state.escaped[c] += share_of(amount, (sum + matrix.back[i]) * kMatrixUnit, kRowOne, 0).raw;
+      state.back[c] += cutter.cut(matrix.back[i] * kMatrixUnit).raw;
+      state.escaped[c] += cutter.cut(left - matrix.back[i] * kMatrixUnit).raw;
     }
     for (uint16_t j = 0; j < scene.element_count; ++j) {
       const Light light = light_of(scene, j, static_cast<int>(c));

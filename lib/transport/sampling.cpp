@@ -22,13 +22,18 @@ EyePoint eye_at(State& state, Vec3 position, uint16_t face) {
   return eye;
 }
 
-Status look(State& state, const EyeSample& sample) {
+const FIXRAD_FLASH DeltaTable* weak_table(const Settings& settings) {
+  return settings.coarse != nullptr ? settings.coarse : settings.table;
+}
+
+Status look(State& state, const FIXRAD_FLASH DeltaTable* from, const EyeSample& sample) {
   const Settings& settings = state.settings;
-  const Status status = settings.engine(state.scene, *settings.table, sample, state.work, state.row);
+  const DeltaTable table = flash_read(from, 0);
+  const Status status = settings.engine(state.scene, table, sample, state.work, state.row);
   if (status == Status::ok) {
     ++state.eyes;
     if (settings.observer.on_eye != nullptr) {
-      settings.observer.on_eye(settings.observer.context, sample);
+      settings.observer.on_eye(settings.observer.context, table, sample);
     }
   }
   return status;
@@ -37,7 +42,7 @@ Status look(State& state, const EyeSample& sample) {
 Status is_buried(State& state, const EyePoint& eye, bool& buried) {
   uint32_t share = 0;
   const Status status =
-      hidden_share(state.scene, *state.settings.probe, eye, state.is_enclosed, state.work, share);
+      hidden_share(state.scene, flash_read(state.settings.probe, 0), eye, state.is_enclosed, state.work, share);
   buried = share > kBuriedShare;
   state.withdrawn += buried ? 1u : 0u;
   return status;
@@ -53,23 +58,24 @@ void withdraw(State& state) {
 
 // One eye at the centroid. In a closed scene back faces are left out of the view, so a probe has to ask
 // first; in an open one the row itself tells.
-Status sample_centroid(State& state, const EyeSource& source, Centroid& centroid) {
-  const EyeSample sample = {eye_at(state, vec(source.centre), source.face), 0, kRowOne, !state.is_closed};
-  if (state.is_closed && centroid == Centroid::unknown) {
+Status sample_centroid(State& state, const EyeSource& source, KnownEyes& known) {
+  const EyeSample sample = {eye_at(state, vec(source.centre), source.face), kRowOne, !state.is_closed};
+  if (state.is_closed && (known & kCentroidClear) == 0) {
     bool buried = false;
     const Status status = is_buried(state, sample.eye, buried);
     if (status != Status::ok) {
       return status;
     }
-    centroid = buried ? Centroid::buried : Centroid::clear;
+    known = static_cast<KnownEyes>(known | (buried ? kCentroidBuried : kCentroidClear));
     if (buried) {
       return Status::ok;
     }
   }
-  const Status status = look(state, sample);
-  if (status == Status::ok && centroid == Centroid::unknown) {
-    centroid = state.row.back > kBuriedShare ? Centroid::buried : Centroid::clear;
-    if (centroid == Centroid::buried) {
+  const Status status = look(state, weak_table(state.settings), sample);
+  if (status == Status::ok && (known & kCentroidClear) == 0) {
+    const bool buried = state.row.back > kBuriedShare;
+    known = static_cast<KnownEyes>(known | (buried ? kCentroidBuried : kCentroidClear));
+    if (buried) {
       ++state.withdrawn;
       withdraw(state);
     }
@@ -91,23 +97,28 @@ class EyeSet {
   EyeSet(State& state, const EyeSource& source, int level)
       : state_(state), source_(source), level_(level), count_(candidate_count(source, level)) {}
 
-  // Probes every candidate; `total` is the weight of those that are clear.
-  Status choose() {
+  // Probes every candidate, unless all are known to be clear; `total` is the weight of those that are.
+  Status choose(KnownEyes& known) {
+    const bool is_known = (known & all_clear(level_)) != 0;
+    bool is_clear = true;
     for (uint16_t i = 0; i < count_; ++i) {
       const EyeCandidate candidate = eye_candidate(state_.scene, source_, level_, i);
       if (candidate.weight == 0) {
         continue;
       }
       bool buried = false;
-      const Status status = is_buried(state_, {candidate.position, source_.face, 0}, buried);
+      const Status status =
+          is_known ? Status::ok : is_buried(state_, {candidate.position, source_.face, 0}, buried);
       if (status != Status::ok) {
         return status;
       }
+      is_clear = is_clear && !buried;
       if (!buried) {
         chosen_[i / 32] |= static_cast<uint32_t>(1) << (i % 32);
         total_ += weight_of(state_, candidate.element) * candidate.weight;
       }
     }
+    known = static_cast<KnownEyes>(known | (is_clear ? all_clear(level_) : 0));
     return Status::ok;
   }
 
@@ -125,7 +136,7 @@ class EyeSet {
       running += weight_of(state_, candidate.element) * candidate.weight;
       const uint32_t weight = part(running) - begin;
       const EyePoint eye = eye_at(state_, candidate.position, source_.face);
-      const Status status = weight == 0 ? Status::ok : look(state_, {eye, begin, weight, !state_.is_closed});
+      const Status status = weight == 0 ? Status::ok : look(state_, state_.settings.table, {eye, weight, !state_.is_closed});
       if (status != Status::ok) {
         return status;
       }
@@ -134,8 +145,11 @@ class EyeSet {
   }
 
  private:
+  // 16 bits of a weight are enough, and keep the quotient in 32.
   uint32_t part(uint32_t running) const {
-    return static_cast<uint32_t>(static_cast<uint64_t>(running) * kRowOne / total_);
+    const int bits = bit_length(total_);
+    const int shift = bits > 16 ? bits - 16 : 0;
+    return (((running >> shift) << 16) / (total_ >> shift)) << 4;
   }
 
   State& state_;
@@ -148,13 +162,13 @@ class EyeSet {
 
 }  // namespace
 
-Status sample_source(State& state, const EyeSource& source, uint32_t wanted, Centroid& centroid) {
-  clear(state.row);
+Status sample_source(State& state, const EyeSource& source, uint32_t wanted, KnownEyes& known) {
+  withdraw(state);  // what an abandoned shot may have left
   int level = level_for(source, wanted);
   if (level == 0) {
-    if (centroid != Centroid::buried) {
-      const Status status = sample_centroid(state, source, centroid);
-      if (status != Status::ok || centroid == Centroid::clear) {
+    if ((known & kCentroidBuried) == 0) {
+      const Status status = sample_centroid(state, source, known);
+      if (status != Status::ok || (known & kCentroidClear) != 0) {
         return status;
       }
     }
@@ -162,7 +176,7 @@ Status sample_source(State& state, const EyeSource& source, uint32_t wanted, Cen
   }
   for (; level <= kFinestLevel && candidate_count(source, level) <= kMaxEyes; ++level) {
     EyeSet eyes(state, source, level);
-    const Status status = eyes.choose();
+    const Status status = eyes.choose(known);
     if (status != Status::ok) {
       return status;
     }
@@ -176,7 +190,7 @@ Status sample_source(State& state, const EyeSource& source, uint32_t wanted, Cen
     keep_light(state, source);
     return Status::ok;
   }
-  return look(state, {eye_at(state, vec(source.centre), source.face), 0, kRowOne, !state.is_closed});
+  return look(state, weak_table(state.settings), {eye_at(state, vec(source.centre), source.face), kRowOne, !state.is_closed});
 }
 
 }  // namespace fixrad

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lib/transport/shooting.h"
 
+#include "lib/fixed/cutter.h"
 #include "lib/transport/sampling.h"
 
 namespace fixrad {
@@ -90,58 +91,36 @@ int32_t loan(const State& state, uint16_t patch, int c, int32_t unshot, Radiosit
   return flux < static_cast<uint64_t>(unshot) ? static_cast<int32_t>(flux) : unshot;
 }
 
-// Books what an element receives; returns how much more it reflects now.
-Flux receive(int32_t& received, Reflectance reflectance, Flux share) {
-  const Flux before = reflect(reflectance, Flux::from_raw(received));
-  received += share.raw;
-  return reflect(reflectance, Flux::from_raw(received)) - before;
-}
-
-// Flux of a shot below a running sum of form factors, per channel, for the element before.
-struct Below {
-  uint32_t flux[kMaxChannels];
-};
-
-Flux take_share(const Flux& amount, uint32_t sum, uint32_t phase, uint32_t& below) {
-  const uint32_t next = flux_below(magnitude(amount.raw), sum, phase);
-  const int32_t part = static_cast<int32_t>(next - below);
-  below = next;
-  return Flux::from_raw(amount.raw < 0 ? -part : part);
-}
-
 void distribute(State& state, const Flux* amount) {
   const Scene& scene = state.scene;
   const int channels = scene.channels;
   const uint32_t phase = (state.shots * kGoldenStep) >> 12;
-  uint32_t sum = 0;
-  Below below = {};
+  FluxCutter cutter[kMaxChannels] = {{amount[0], phase}, {amount[1], phase}, {amount[2], phase}};
+  uint32_t left = kRowOne - state.row.escaped;
   for (uint16_t e = 0; e < scene.element_count; ++e) {
-    if (state.row.share[e] == 0) {
+    const uint32_t part = state.row.share[e];
+    if (part == 0) {
       continue;
     }
-    sum += state.row.share[e];
+    left -= part;
     const FIXRAD_FLASH Element& element = flash_at(scene.elements, e);
     const FIXRAD_FLASH Material& material = flash_at(scene.materials, element.material);
     int32_t* received = state.received + static_cast<uint32_t>(e) * scene.channels;
     int32_t* unshot = unshot_of(state, element.patch);
     for (int c = 0; c < channels; ++c) {
-      const Flux share = take_share(amount[c], sum, phase, below.flux[c]);
-      unshot[c] += receive(received[c], Reflectance::from_raw(material.reflectance[c]), share).raw;
+      const Flux share = cutter[c].cut(part);
+      const Reflectance reflectance = Reflectance::from_raw(material.reflectance[c]);
+      unshot[c] += reflect_more(reflectance, Flux::from_raw(received[c]), share).raw;
+      received[c] += share.raw;
     }
   }
   for (int c = 0; c < channels; ++c) {
-    const uint32_t escaped_end = sum + state.row.escaped;
-    state.escaped[c] += take_share(amount[c], escaped_end, phase, below.flux[c]).raw;
-    state.back[c] += take_share(amount[c], kRowOne, phase, below.flux[c]).raw;
+    state.escaped[c] += cutter[c].cut(state.row.escaped).raw;
+    state.back[c] += cutter[c].cut(left).raw;
   }
 }
 
 }  // namespace
-
-Flux share_of(Flux amount, uint32_t sum_before, uint32_t sum_after, uint32_t phase) {
-  uint32_t below = flux_below(magnitude(amount.raw), sum_before, phase);
-  return take_share(amount, sum_after, phase, below);
-}
 
 Fraction unshot_fraction(const State& state) {
   uint64_t worst = 0;
@@ -160,7 +139,7 @@ Status shoot(State& state) {
   }
   const EyeSource source = patch_source(state.scene, scan.brightest);
   const Status status =
-      sample_source(state, source, wanted_eyes(state, scan), state.centroid[scan.brightest]);
+      sample_source(state, source, wanted_eyes(state, scan), state.known_eyes[scan.brightest]);
   if (status != Status::ok) {
     return status;
   }

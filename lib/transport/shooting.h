@@ -12,12 +12,6 @@ namespace fixrad {
 /// channel.
 Status shoot(State& state);
 
-/// Flux a shot of `amount` leaves with each receiver, cut from running sums so that the parts add up to the
-/// whole; sums in units of 1/kRowOne. Borders are rounded down after adding `phase` (0 .. kRowOne - 1), which
-/// differs from shot to shot: a fixed phase would give the odd unit of every small shot to the same elements.
-/// Odd in `amount`.
-Flux share_of(Flux amount, uint32_t sum_before, uint32_t sum_after, uint32_t phase);
-
 /// Unshot flux over emitted flux in the worst channel, UQ0.32, saturated just below 1.
 Fraction unshot_fraction(const State& state);
 

@@ -26,7 +26,7 @@ void reset(State& state, const Scene& scene, const Settings& settings) {
   state.is_enclosed = state.is_closed && is_enclosed(scene);
   const unsigned channels = scene.channels;
   for (unsigned i = 0; i < scene.patch_count; ++i) {
-    state.centroid[i] = Centroid::unknown;
+    state.known_eyes[i] = 0;
   }
   for (uint32_t i = 0; i < static_cast<uint32_t>(scene.patch_count) * channels; ++i) {
     state.unshot[i] = 0;

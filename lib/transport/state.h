@@ -20,8 +20,8 @@ constexpr Fraction fraction(uint32_t n, uint32_t d) {
 /// Sees what the solver does; for the host's twin, progress and tests. Both functions may be null.
 struct Observer {
   void* context;
-  /// An eye point of the coming shot has been sampled.
-  void (*on_eye)(void* context, const EyeSample& sample);
+  /// An eye point of the coming shot has been sampled with `table`.
+  void (*on_eye)(void* context, const DeltaTable& table, const EyeSample& sample);
   /// Patch `patch` is about to send amount[c], one a channel; `overshoots` if that is more than its unshot
   /// flux.
   void (*on_shot)(void* context, uint16_t patch, const Flux* amount, bool overshoots);
@@ -31,8 +31,9 @@ struct Observer {
 
 struct Settings {
   Engine engine = hemicube_rows;
-  const DeltaTable* table = &kDelta16;
-  const DeltaTable* probe = &kDelta8;  ///< for the question whether an eye is buried
+  const FIXRAD_FLASH DeltaTable* table = &kDelta16;   ///< for shots from several eye points
+  const FIXRAD_FLASH DeltaTable* coarse = nullptr;    ///< for shots from one, the weak ones; null: `table`
+  const FIXRAD_FLASH DeltaTable* probe = &kDelta8;  ///< for the question whether an eye is buried
   Fraction stop = fraction(1, 1000);   ///< done when the sum of unshot flux is at most this, in every channel
   Fraction flux_per_eye =
       fraction(1, 100);    ///< a shot gets one eye point for each such part of the emitted flux
@@ -40,18 +41,25 @@ struct Settings {
   Observer observer = {nullptr, nullptr, nullptr, nullptr};
 };
 
-/// What a patch's centroid was found to be.
-enum class Centroid : uint8_t { unknown, clear, buried };
+/// What was found out about the eye points of a patch, so that no probe is made twice; a set of bits.
+using KnownEyes = uint8_t;
+constexpr KnownEyes kCentroidClear = 1, kCentroidBuried = 2;
+
+/// All candidates of `level` (1 ..) are clear.
+constexpr KnownEyes all_clear(int level) {
+  return static_cast<KnownEyes>(2 << level);
+}
 
 /// Everything a solver knows. The arrays belong to the storage.
 struct State {
   Scene scene;
-  Settings settings;
+  /// All zeros until load(), so that a static solver takes no initial values from flash.
+  Settings settings = {nullptr, nullptr, nullptr, nullptr, {0}, {0}, false, {nullptr, nullptr, nullptr, nullptr}};
   Workspace work;
   FormFactorRow row;
   int32_t* received;                      ///< [element][channel], flux received in all
   int32_t* unshot;                        ///< [patch][channel]
-  Centroid* centroid;                     ///< [patch]
+  KnownEyes* known_eyes;                  ///< [patch]
   uint64_t absorbing_area[kMaxChannels];  ///< sum of (1 - reflectance) area over the elements, UQ.3
   int32_t emitted[kMaxChannels];
   int32_t escaped[kMaxChannels];

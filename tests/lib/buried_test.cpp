@@ -18,7 +18,9 @@ struct UsedEyes {
   Observer observer() {
     return {
         this,
-        [](void* self, const EyeSample& sample) { static_cast<UsedEyes*>(self)->pending.push_back(sample); },
+        [](void* self, const DeltaTable&, const EyeSample& sample) {
+          static_cast<UsedEyes*>(self)->pending.push_back(sample);
+        },
         [](void* self, std::uint16_t, const Flux*, bool) {
           auto& eyes = *static_cast<UsedEyes*>(self);
           eyes.used.insert(eyes.used.end(), eyes.pending.begin(), eyes.pending.end());

@@ -22,7 +22,7 @@ SolveOptions options_of(Engine engine, int resolution, std::uint32_t elements) {
 // Fills state.row from one eye and returns the sum over the elements.
 std::uint32_t look(State& state, const EyePoint& eye, bool back_faces) {
   clear(state.row);
-  const EyeSample sample = {eye, 0, kRowOne, back_faces};
+  const EyeSample sample = {eye, kRowOne, back_faces};
   EXPECT_EQ(state.settings.engine(state.scene, *state.settings.table, sample, state.work, state.row),
             Status::ok);
   return std::accumulate(state.row.share, state.row.share + state.row.count, std::uint32_t{0});

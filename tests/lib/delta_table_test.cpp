@@ -37,41 +37,6 @@ TEST_P(DeltaTables, AreWhatTheirProgramComputes) {
   EXPECT_EQ(1 << table().resolution_log2, GetParam());
 }
 
-TEST_P(DeltaTables, SumToExactlyOneOverTheHemicube) {
-  long sum = 0;
-  for (int r = 0; r < half(); ++r) {
-    sum += 4L * top(r, half() - 1) + 8L * side(r, half() - 1);
-  }
-  EXPECT_EQ(sum, kOne);
-  long running = 0;
-  for (int r = 0; r < GetParam(); ++r) {
-    running += delta_row(table(), true, r).sum_to(kRowEnd);
-  }
-  for (int r = half(); r < GetParam(); ++r) {
-    running += 4L * delta_row(table(), false, r).sum_to(kRowEnd);
-  }
-  EXPECT_EQ(running, kOne);
-}
-
-TEST_P(DeltaTables, NeverFallAlongARow) {
-  for (int r = 0; r < half(); ++r) {
-    for (int i = 1; i < half(); ++i) {
-      ASSERT_GE(top(r, i), top(r, i - 1));
-      ASSERT_GE(side(r, i), side(r, i - 1));
-    }
-  }
-}
-
-TEST_P(DeltaTables, RunningSumsAreMonotoneFromZeroToTheWholeRow) {
-  const DeltaRow row = delta_row(table(), true, 0);
-  EXPECT_EQ(row.sum_to(0), 0u);
-  EXPECT_EQ(row.sum_to(kRowMiddle), row.half_total);
-  EXPECT_EQ(row.sum_to(kRowEnd), 2 * row.half_total);
-  for (std::int32_t x = 1; x <= kRowEnd; ++x) {
-    ASSERT_GE(row.sum_to(x), row.sum_to(x - 1));
-  }
-}
-
 // Cohen & Greenberg 1985, the density at a pixel's centre times its area; the entry is the integral, so they
 // differ by the curvature, at most about 2 / R^2, and by one unit of rounding, more where a row was moved.
 TEST_P(DeltaTables, PixelsAgreeWithTheClassicalFormula) {

@@ -42,7 +42,7 @@ SquareFactor measure(bool is_parallel, Engine engine, int resolution) {
       continue;
     }
     clear(state.row);
-    const EyeSample sample = {element_eye(state.scene, e, static_cast<std::uint8_t>(e)), 0, kRowOne, true};
+    const EyeSample sample = {element_eye(state.scene, e, static_cast<std::uint8_t>(e)), kRowOne, true};
     EXPECT_EQ(engine(state.scene, *options.settings.table, sample, state.work, state.row), Status::ok);
     std::uint32_t sum = 0;
     for (unsigned j = 0; j < state.scene.element_count; ++j) {

@@ -78,7 +78,7 @@ void expect_documented_size() {
   const std::uint32_t arrays =
       L::vertices * sizeof(Direction) + L::faces * sizeof(FaceView) + L::spans * sizeof(Span) +
       L::elements * L::channels * sizeof(std::int32_t) + L::elements * sizeof(std::uint32_t) +
-      L::patches * L::channels * sizeof(std::int32_t) + L::patches * sizeof(Centroid) +
+      L::patches * L::channels * sizeof(std::int32_t) + L::patches * sizeof(KnownEyes) +
       L::pixel_resolution * L::pixel_resolution * sizeof(Item);
   EXPECT_EQ(pool_bytes(sizes), arrays);
   constexpr std::uint32_t kAlignment =

@@ -90,42 +90,50 @@ void add_turned_box(TwinRoom& room, unsigned n) {
   room.add_box({5000, 3000, 500}, {2400, 1800, 0}, {-1500, 2000, 0}, {0, 0, 4000}, false, n, paint);
 }
 
-class TwinAtResolution : public ::testing::TestWithParam<const DeltaTable*> {
- protected:
+// An engine and its tables: for shots from several eyes, and from one.
+struct Sampling {
+  const char* name;
+  Engine engine;
+  const DeltaTable* table;
+  const DeltaTable* coarse;
+
   Settings settings() const {
     Settings settings;
-    settings.table = GetParam();
+    settings.engine = engine;
+    settings.table = table;
+    settings.coarse = coarse;
     return settings;
   }
 };
 
-TEST_P(TwinAtResolution, ArithmeticErrorOfAnEmptyRoomIsWithinTheBar) {
+class TwinOfRows : public ::testing::TestWithParam<Sampling> {};
+class TwinOfPixels : public ::testing::TestWithParam<Sampling> {};
+
+TEST_P(TwinOfRows, ArithmeticErrorOfAnEmptyRoomIsWithinTheBar) {
   TwinRoom room;
   add_room(room, 6);
-  expect_within(FixedRun(room.scene(), settings()));
+  expect_within(FixedRun(room.scene(), GetParam().settings()));
 }
 
-TEST_P(TwinAtResolution, ArithmeticErrorRoundATurnedBoxIsWithinTheBar) {
+TEST_P(TwinOfRows, ArithmeticErrorRoundATurnedBoxIsWithinTheBar) {
   TwinRoom room;
   add_room(room, 6);
   add_turned_box(room, 4);
-  expect_within(FixedRun(room.scene(), settings()));
+  expect_within(FixedRun(room.scene(), GetParam().settings()));
 }
 
-TEST_P(TwinAtResolution, ArithmeticErrorOfThePixelEngineIsWithinTheBar) {
+TEST_P(TwinOfPixels, ArithmeticErrorRoundATurnedBoxIsWithinTheBar) {
   TwinRoom room;
   add_room(room, 6);
   add_turned_box(room, 4);
-  Settings pixels = settings();
-  pixels.engine = hemicube_pixels;
-  expect_within(FixedRun(room.scene(), pixels), kPixelBar);
+  expect_within(FixedRun(room.scene(), GetParam().settings()), kPixelBar);
 }
 
-TEST_P(TwinAtResolution, OvershootsAreReplayed) {
+TEST_P(TwinOfRows, OvershootsAreReplayed) {
   TwinRoom room;
   add_room(room, 6);
   add_turned_box(room, 4);
-  Settings overshoot = settings();
+  Settings overshoot = GetParam().settings();
   overshoot.overshoot = true;
   const FixedRun run(room.scene(), overshoot);
   double largest = 0;
@@ -137,8 +145,23 @@ TEST_P(TwinAtResolution, OvershootsAreReplayed) {
   expect_within(run);
 }
 
-INSTANTIATE_TEST_SUITE_P(R, TwinAtResolution, ::testing::Values(&kDelta16, &kDelta32),
-                         [](const auto& table) { return std::to_string(1 << table.param->resolution_log2); });
+const auto name_of = [](const auto& sampling) { return std::string(sampling.param.name); };
+
+INSTANTIATE_TEST_SUITE_P(Hemicube, TwinOfRows,
+                         ::testing::Values(Sampling{"R16", hemicube_rows, &kDelta16, &kDelta16},
+                                           Sampling{"R32", hemicube_rows, &kDelta32, &kDelta32},
+                                           Sampling{"R32And8", hemicube_rows, &kDelta32, &kDelta8}),
+                         name_of);
+INSTANTIATE_TEST_SUITE_P(Lunes, TwinOfRows,
+                         ::testing::Values(Sampling{"R4", lune_rows, &kLune4, &kLune4},
+                                           Sampling{"R16", lune_rows, &kLune16, &kLune16},
+                                           Sampling{"R32", lune_rows, &kLune32, &kLune32},
+                                           Sampling{"R64And16", lune_rows, &kLune64, &kLune16}),
+                         name_of);
+INSTANTIATE_TEST_SUITE_P(Hemicube, TwinOfPixels,
+                         ::testing::Values(Sampling{"R16", hemicube_pixels, &kDelta16, &kDelta16},
+                                           Sampling{"R32", hemicube_pixels, &kDelta32, &kDelta32}),
+                         name_of);
 
 TEST(Twin, ReplaysABackFaceThatBlocks) {
   TwinRoom room;
@@ -172,13 +195,13 @@ TEST(Twin, ReplaysAnOpenRoomOfOneChannel) {
 }
 
 TEST(Twin, FormFactorsOfEveryShotSumToOne) {
-  for (const Engine engine : {hemicube_rows, hemicube_pixels}) {
+  for (const Sampling& sampling : {Sampling{"rows", hemicube_rows, &kDelta16, &kDelta8},
+                                   Sampling{"pixels", hemicube_pixels, &kDelta16, &kDelta8},
+                                   Sampling{"lunes", lune_rows, &kLune16, &kLune8}}) {
     TwinRoom room;
     add_room(room, 4);
     add_turned_box(room, 2);
-    Settings settings;
-    settings.engine = engine;
-    const FixedRun run(room.scene(), settings);
+    const FixedRun run(room.scene(), sampling.settings());
     Twin twin(run.scene, run.settings);
     for (const RecordedShot& shot : run.recorder.shots()) {
       twin.shoot(shot, run.recorder.eyes().data() + shot.first_eye);
@@ -231,18 +254,6 @@ TEST(Twin, RefusesAnEngineThatItDoesNotKnow) {
   EXPECT_THROW(Twin(room.scene(), settings), std::invalid_argument);
 }
 
-TEST(TwinDeltaTable, SumsToOneOverTheHemicube) {
-  for (const int resolution : {8, 16, 32, 64, 128}) {
-    const TwinDeltaTable table(resolution);
-    double sum = 0;
-    for (int r = 0; r < resolution; ++r) {
-      sum +=
-          table.row(true, r).sum_to(1.0) + (r >= resolution / 2 ? 4 * table.row(false, r).sum_to(1.0) : 0.0);
-    }
-    EXPECT_NEAR(sum, 1.0, 1e-12);
-  }
-}
-
 TEST(Recorder, DropsEyesThatWereWithdrawn) {
   TwinRoom room;
   add_room(room, 2);
@@ -251,19 +262,19 @@ TEST(Recorder, DropsEyesThatWereWithdrawn) {
   state.scene = scene;
   Recorder recorder(state);
   const Observer observer = recorder.observer();
-  const EyeSample buried = {{{1, 1, 1}, 0, 0}, 0, kRowOne, true};
-  const EyeSample half = {{{2, 2, 2}, 0, 1}, 0, kRowOne / 2, true};
-  const EyeSample rest = {{{3, 3, 3}, 0, 2}, kRowOne / 2, kRowOne / 2, true};
+  const EyeSample buried = {{{1, 1, 1}, 0, 0}, kRowOne, true};
+  const EyeSample half = {{{2, 2, 2}, 0, 1}, kRowOne / 2, true};
+  const EyeSample rest = {{{3, 3, 3}, 0, 2}, kRowOne / 2, true};
   const Flux amount[3] = {Flux::from_raw(8), Flux::from_raw(8), Flux::from_raw(8)};
-  observer.on_eye(observer.context, buried);
+  observer.on_eye(observer.context, kDelta16, buried);
   observer.on_withdraw(observer.context);
-  observer.on_eye(observer.context, half);
-  observer.on_eye(observer.context, rest);
+  observer.on_eye(observer.context, kDelta16, half);
+  observer.on_eye(observer.context, kDelta16, rest);
   observer.on_shot(observer.context, 5, amount, false);
   ASSERT_EQ(recorder.shots().size(), 1u);
   EXPECT_EQ(recorder.shots()[0].patch, 5);
   ASSERT_EQ(recorder.shots()[0].eye_count, 2u);
-  EXPECT_EQ(recorder.eyes()[recorder.shots()[0].first_eye].eye.position.x, 2);
+  EXPECT_EQ(recorder.eyes()[recorder.shots()[0].first_eye].sample.eye.position.x, 2);
 }
 
 TEST(CompareArithmetic, WeighsTheMeanByAreaAndTakesTheWorstChannel) {

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "host_sim/reference/twin_delta_table.h"
+#include "host_sim/reference/twin_recorder.h"
 #include "host_sim/reference/twin_spans.h"
-#include "lib/form_factor/engine.h"
 
 namespace fixrad::host {
 
@@ -17,16 +18,17 @@ struct TwinFormFactors {
   double back = 0;            ///< the nearest hit is a back face
 };
 
-enum class TwinEngine { rows, pixels };
+enum class TwinEngine { rows, pixels, lunes };
 
-/// The core's two hemicube engines in double. Everything is allocated once.
-class TwinHemicube {
+/// The core's engines in double: what an eye sees of the hemisphere above it, along rows of a hemicube, in
+/// its pixels or along lunes. Tables are made when an eye first asks for them, and kept.
+class TwinHemisphere {
  public:
-  /// R as the core's tables: 8, 16, 32, 64 or 128. `scene` must outlive the object.
-  TwinHemicube(const TwinScene& scene, int resolution, TwinEngine engine);
+  /// `scene` must outlive the object.
+  TwinHemisphere(const TwinScene& scene, TwinEngine engine);
 
-  /// Adds the form factors from one eye point, sample.weight / kRowOne in all.
-  void add(const EyeSample& sample, TwinFormFactors& row);
+  /// Adds the form factors from one eye point, eye.sample.weight / kRowOne in all.
+  void add(const RecordedEye& eye, TwinFormFactors& row);
 
  private:
   // One pixel: what it shows and its inverse depth.
@@ -49,20 +51,25 @@ class TwinHemicube {
     }
   };
 
-  void add_rows(const EyeSample& sample, TwinFormFactors& row);
+  const TwinDeltaTable& hemicube_table(int resolution);
+
+  void add_hemicube_rows(const RecordedEye& eye, TwinFormFactors& row);
+  void add_lunes(const RecordedEye& eye, TwinFormFactors& row);
+  void sample_row(int r, const TwinRow& at, bool is_closed, Sink sink);
   void find_visible(int r, const TwinRow& at);
   void write_row(const TwinRow& at, bool is_closed, Sink& sink) const;
   std::uint32_t covering_view(std::uint32_t i, std::uint32_t previous, bool is_closed) const;
 
-  void add_pixels(const EyeSample& sample, TwinFormFactors& row);
-  void draw_face(int side, TwinFaceView& seen);
-  void draw(Item* items, const TwinRow& at, const TwinFaceView& seen, std::uint32_t slot,
-            TwinInterval part) const;
-  void write_pixels(int side, double weight, TwinFormFactors& row) const;
+  void add_pixels(const RecordedEye& eye, TwinFormFactors& row);
+  void draw_face(int side, int size, TwinFaceView& seen);
+  static void draw(Item* items, int size, const TwinRow& at, const TwinFaceView& seen, std::uint32_t slot,
+                   TwinInterval part);
+  void write_pixels(int side, const TwinDeltaTable& table, int size, double weight,
+                    TwinFormFactors& row) const;
 
   const TwinScene& scene_;
   TwinEngine engine_;
-  TwinDeltaTable table_;
+  std::map<int, TwinDeltaTable> tables_;  // of hemicubes, by R
   TwinView view_;
   TwinSpans visible_;
   std::vector<Item> items_;  // [R][R], pixels only

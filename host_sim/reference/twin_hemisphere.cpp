@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host_sim/reference/twin_hemicube.h"
+#include "host_sim/reference/twin_hemisphere.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +22,10 @@ int first_row_of(int side, int resolution) {
   return side == kTop ? 0 : resolution / 2;
 }
 
+double weight_of(const EyeSample& sample) {
+  return static_cast<double>(sample.weight) / kRowOne;
+}
+
 void give(TwinFormFactors& row, std::uint32_t slot, double part) {
   if (slot == kEscaped) {
     row.escaped += part;
@@ -34,51 +38,67 @@ void give(TwinFormFactors& row, std::uint32_t slot, double part) {
 
 }  // namespace
 
-TwinHemicube::TwinHemicube(const TwinScene& scene, int resolution, TwinEngine engine)
-    : scene_(scene), engine_(engine), table_(resolution), view_(scene), visible_(scene.faces.size()) {
-  if (engine == TwinEngine::pixels) {
-    items_.resize(static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution));
+TwinHemisphere::TwinHemisphere(const TwinScene& scene, TwinEngine engine)
+    : scene_(scene), engine_(engine), view_(scene), visible_(scene.faces.size()) {}
+
+const TwinDeltaTable& TwinHemisphere::hemicube_table(int resolution) {
+  return tables_.try_emplace(resolution, resolution).first->second;
+}
+
+void TwinHemisphere::add(const RecordedEye& eye, TwinFormFactors& row) {
+  make_twin_view(scene_, eye.sample.eye, eye.sample.back_faces, view_);
+  switch (engine_) {
+    case TwinEngine::rows:
+      add_hemicube_rows(eye, row);
+      break;
+    case TwinEngine::pixels:
+      add_pixels(eye, row);
+      break;
+    case TwinEngine::lunes:
+      add_lunes(eye, row);
+      break;
   }
 }
 
-void TwinHemicube::add(const EyeSample& sample, TwinFormFactors& row) {
-  make_twin_view(scene_, sample.eye, sample.back_faces, view_);
-  if (engine_ == TwinEngine::rows) {
-    add_rows(sample, row);
-  } else {
-    add_pixels(sample, row);
-  }
-}
-
-void TwinHemicube::add_rows(const EyeSample& sample, TwinFormFactors& row) {
-  const int size = table_.resolution();
-  const double weight = static_cast<double>(sample.weight) / kRowOne;
+void TwinHemisphere::add_hemicube_rows(const RecordedEye& eye, TwinFormFactors& row) {
+  const TwinDeltaTable& table = hemicube_table(eye.resolution);
   for (int side = 0; side < kSides; ++side) {
-    enter_twin_side(scene_, side, size, view_);
-    for (int r = first_row_of(side, size); r < size; ++r) {
-      const TwinRow at = twin_row(side, r, size);
-      find_visible(r, at);
-      Sink sink = {row, table_.row(side == kTop, r), weight, 0};
-      write_row(at, !sample.back_faces, sink);
+    enter_twin_side(scene_, side, eye.resolution, view_);
+    for (int r = first_row_of(side, eye.resolution); r < eye.resolution; ++r) {
+      sample_row(r, twin_row(side, r, eye.resolution), !eye.sample.back_faces,
+                 {row, table.row(side == kTop, r), weight_of(eye.sample), 0});
     }
   }
 }
 
-void TwinHemicube::find_visible(int r, const TwinRow& at) {
+void TwinHemisphere::add_lunes(const RecordedEye& eye, TwinFormFactors& row) {
+  enter_twin_lunes(scene_, eye.resolution, view_);
+  for (int r = 0; r < eye.resolution; ++r) {
+    sample_row(r, twin_lune(r, eye.resolution), !eye.sample.back_faces,
+               {row, twin_lune_delta_row(eye.resolution), weight_of(eye.sample), 0});
+  }
+}
+
+void TwinHemisphere::sample_row(int r, const TwinRow& at, bool is_closed, Sink sink) {
+  find_visible(r, at);
+  write_row(at, is_closed, sink);
+}
+
+void TwinHemisphere::find_visible(int r, const TwinRow& at) {
   visible_.reset();
   for (std::uint32_t i = 0; i < view_.count; ++i) {
     TwinFaceView& seen = view_.faces[i];
     if (r < seen.first_row || r > seen.last_row) {
       continue;
     }
-    const TwinInterval part = twin_face_interval(scene_, at.y, view_, seen);
+    const TwinInterval part = twin_face_interval(scene_, at, view_, seen);
     if (part.begin < part.end) {
       visible_.insert(i, part, at, view_);
     }
   }
 }
 
-std::uint32_t TwinHemicube::covering_view(std::uint32_t i, std::uint32_t previous, bool is_closed) const {
+std::uint32_t TwinHemisphere::covering_view(std::uint32_t i, std::uint32_t previous, bool is_closed) const {
   const std::uint32_t seen = visible_[i].view;
   if (seen != kTwinNothing || !is_closed || visible_.end_of(i) - visible_[i].start > kSliver) {
     return seen;
@@ -90,7 +110,7 @@ std::uint32_t TwinHemicube::covering_view(std::uint32_t i, std::uint32_t previou
   return next == kTwinNothing ? kTwinNothing : visible_[next].view;
 }
 
-void TwinHemicube::write_row(const TwinRow& at, bool is_closed, Sink& sink) const {
+void TwinHemisphere::write_row(const TwinRow& at, bool is_closed, Sink& sink) const {
   std::uint32_t previous = kTwinNothing;
   for (std::uint32_t i = 0; i != kTwinNothing; i = visible_[i].next) {
     const TwinInterval part = {visible_[i].start, visible_.end_of(i)};
@@ -109,43 +129,42 @@ void TwinHemicube::write_row(const TwinRow& at, bool is_closed, Sink& sink) cons
   }
 }
 
-void TwinHemicube::add_pixels(const EyeSample& sample, TwinFormFactors& row) {
-  const int size = table_.resolution();
-  const double weight = static_cast<double>(sample.weight) / kRowOne;
+void TwinHemisphere::add_pixels(const RecordedEye& eye, TwinFormFactors& row) {
+  const int size = eye.resolution;
+  const TwinDeltaTable& table = hemicube_table(size);
   for (int side = 0; side < kSides; ++side) {
-    std::fill(items_.begin(), items_.end(), Item{-std::numeric_limits<double>::infinity(), kEscaped});
+    items_.assign(static_cast<std::size_t>(size) * static_cast<std::size_t>(size),
+                  {-std::numeric_limits<double>::infinity(), kEscaped});
     enter_twin_side(scene_, side, size, view_);
     for (std::size_t i = 0; i < view_.count; ++i) {
-      draw_face(side, view_.faces[i]);
+      draw_face(side, size, view_.faces[i]);
     }
-    write_pixels(side, weight, row);
+    write_pixels(side, table, size, weight_of(eye.sample), row);
   }
 }
 
-void TwinHemicube::draw_face(int side, TwinFaceView& seen) {
-  const int size = table_.resolution();
+void TwinHemisphere::draw_face(int side, int size, TwinFaceView& seen) {
   for (int r = seen.first_row; r <= seen.last_row; ++r) {
     const TwinRow at = twin_row(side, r, size);
-    const TwinInterval part = twin_face_interval(scene_, at.y, view_, seen);
+    const TwinInterval part = twin_face_interval(scene_, at, view_, seen);
     if (part.begin >= part.end) {
       continue;
     }
     Item* items = items_.data() + static_cast<std::ptrdiff_t>(r) * size;
     if (seen.is_back) {
-      draw(items, at, seen, kBack, part);
+      draw(items, size, at, seen, kBack, part);
       continue;
     }
     double begin = part.begin;
     for (TwinElementWalk walk(scene_, seen, at, part); walk.next(); begin = walk.end()) {
-      draw(items, at, seen, walk.element(), {begin, walk.end()});
+      draw(items, size, at, seen, walk.element(), {begin, walk.end()});
     }
   }
 }
 
 // Pixels whose centres lie in the interval: both ends round alike, so neighbours share no pixel.
-void TwinHemicube::draw(Item* items, const TwinRow& at, const TwinFaceView& seen, std::uint32_t slot,
-                        TwinInterval part) const {
-  const int size = table_.resolution();
+void TwinHemisphere::draw(Item* items, int size, const TwinRow& at, const TwinFaceView& seen,
+                          std::uint32_t slot, TwinInterval part) {
   const auto first_from = [size](double x) { return static_cast<int>(std::ceil((x + 1) * size / 2 - 0.5)); };
   const double middle = glm::dot(seen.plane, at.middle);
   const double slope = glm::dot(seen.plane, at.along) / size;
@@ -158,11 +177,11 @@ void TwinHemicube::draw(Item* items, const TwinRow& at, const TwinFaceView& seen
   }
 }
 
-void TwinHemicube::write_pixels(int side, double weight, TwinFormFactors& row) const {
-  const int size = table_.resolution();
+void TwinHemisphere::write_pixels(int side, const TwinDeltaTable& table, int size, double weight,
+                                  TwinFormFactors& row) const {
   for (int r = first_row_of(side, size); r < size; ++r) {
     const Item* items = items_.data() + static_cast<std::ptrdiff_t>(r) * size;
-    const TwinDeltaRow delta = table_.row(side == kTop, r);
+    const TwinDeltaRow delta = table.row(side == kTop, r);
     for (int pixel = 0; pixel < size; ++pixel) {
       give(row, items[pixel].slot, weight * delta.pixel(pixel));
     }

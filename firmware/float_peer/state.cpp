@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "firmware/float_peer/state.h"
+
+namespace fixrad {
+namespace peer {
+namespace {
+
+float power_of_two(int exponent) {
+  float power = 1.0f;
+  for (; exponent > 0; --exponent) {
+    power *= 2.0f;
+  }
+  for (; exponent < 0; ++exponent) {
+    power *= 0.5f;
+  }
+  return power;
+}
+
+uint32_t index_of(const State& state, uint16_t record, uint8_t channel) {
+  return static_cast<uint32_t>(record) * state.scene.channels + channel;
+}
+
+void emit(State& state, uint16_t e) {
+  const Element element = read(state.scene.elements, e);
+  const Channels reflectance = reflectance_of(state.scene, element.material);
+  for (uint8_t c = 0; c < state.scene.channels; ++c) {
+    const float flux = emitted_flux(state, e, c);
+    state.emitted.c[c] += flux;
+    state.unshot[index_of(state, element.patch, c)] += flux;
+    state.absorbing_area.c[c] += (1.0f - reflectance.c[c]) * static_cast<float>(element.area);
+  }
+}
+
+}  // namespace
+
+float fraction_of_one(uint32_t raw) {
+  return static_cast<float>(raw) * (1.0f / 4294967296.0f);
+}
+
+Channels reflectance_of(const Scene& scene, uint16_t material) {
+  const Material m = read(scene.materials, material);
+  return {{fraction_of_one(m.reflectance[0]), fraction_of_one(m.reflectance[1]),
+           fraction_of_one(m.reflectance[2])}};
+}
+
+float emitted_flux(const State& state, uint16_t element, uint8_t channel) {
+  const Element e = read(state.scene.elements, element);
+  const uint32_t emission = read(state.scene.materials, e.material).emission[channel];
+  return emission == 0 ? 0.0f
+                       : static_cast<float>(emission) * state.emission_unit * static_cast<float>(e.area);
+}
+
+void reset(State& state, const Scene& scene, const Settings& settings) {
+  state.scene = scene;
+  state.table = delta_table(read(settings.table, 0).resolution_log2);
+  state.coarse = delta_table(read(coarse_table(settings), 0).resolution_log2);
+  state.probe = delta_table(read(settings.probe, 0).resolution_log2);
+  state.stop = fraction_of_one(settings.stop.raw);
+  state.flux_per_eye = fraction_of_one(settings.flux_per_eye.raw);
+  state.overshoot = settings.overshoot;
+  state.emission_unit = power_of_two(-scene.emission_shift);
+  state.radiosity_unit = power_of_two(scene.radiosity_shift);
+  state.row.count = scene.element_count;
+  state.shots = state.eyes = state.withdrawn = 0;
+  state.turn = 0;
+  state.is_closed = is_closed(scene);
+  state.is_enclosed = state.is_closed && is_enclosed(scene);
+  state.emitted = state.escaped = state.back = state.absorbing_area = {};
+  for (uint16_t p = 0; p < scene.patch_count; ++p) {
+    state.known_eyes[p] = 0;
+  }
+  for (uint32_t i = 0; i < static_cast<uint32_t>(scene.patch_count) * scene.channels; ++i) {
+    state.unshot[i] = 0.0f;
+  }
+  for (uint32_t i = 0; i < static_cast<uint32_t>(scene.element_count) * scene.channels; ++i) {
+    state.received[i] = 0.0f;
+  }
+  for (uint16_t e = 0; e < scene.element_count; ++e) {
+    emit(state, e);
+  }
+}
+
+float exitent_flux(const State& state, uint16_t element, uint8_t channel) {
+  const Element e = read(state.scene.elements, element);
+  const uint32_t reflectance = read(state.scene.materials, e.material).reflectance[channel];
+  const float flux = emitted_flux(state, element, channel) +
+                     fraction_of_one(reflectance) * state.received[index_of(state, element, channel)];
+  return flux < 0.0f ? 0.0f : flux;
+}
+
+float element_radiosity(const State& state, uint16_t element, uint8_t channel) {
+  const float area = static_cast<float>(read(state.scene.elements, element).area);
+  return exitent_flux(state, element, channel) * state.radiosity_unit / area;
+}
+
+namespace {
+
+float mean_round(const State& state, const VertexMap& map, const MeshVertex& v, uint8_t channel) {
+  float sum = 0.0f;
+  for (uint8_t i = 0; i < v.count; ++i) {
+    const uint16_t e = read(map.elements + v.first, i);
+    sum += element_radiosity(state, e, channel);
+  }
+  return sum / static_cast<float>(v.count);
+}
+
+}  // namespace
+
+float vertex_radiosity(const State& state, const VertexMap& map, uint32_t vertex, uint8_t channel) {
+  const MeshVertex v = read(map.vertices + vertex, 0);
+  const float mean = mean_round(state, map, v, channel);
+  if (v.inner == kNoVertex) {
+    return mean;
+  }
+  const float inner = mean_round(state, map, read(map.vertices + v.inner, 0), channel);
+  return mean + mean > inner ? mean + mean - inner : 0.0f;
+}
+
+}  // namespace peer
+}  // namespace fixrad

@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: MIT
+# Which scenes of firmware/scenes each board solves: the profile that it is for and those that fit as well.
+set(FIXRAD_SCENES_tiny closed_box cornell cornell_grey portico white_room)
+set(FIXRAD_SCENES_larger closed_box colonnade cornell cornell_grey white_room)
+
+set(FIXRAD_PROFILES_atmega2560 tiny)
+set(FIXRAD_PROFILES_microbit small)
+set(FIXRAD_PROFILES_mps2-an385 small medium)
+set(FIXRAD_PROFILES_rv32-virt small medium)
+set(FIXRAD_PROFILES_esp8266-sim small medium)
+set(FIXRAD_PROFILES_mps2-an386 small large)
+set(FIXRAD_PROFILES_mps2-an500 small large)
+
+# fixrad_board_scenes(OUT): <scene>_<profile> for every pair of this board.
+function(fixrad_board_scenes out)
+  if(NOT FIXRAD_PROFILES_${FIXRAD_BOARD})
+    message(FATAL_ERROR "firmware/scenes.cmake names no profile for the board ${FIXRAD_BOARD}")
+  endif()
+  set(names "")
+  foreach(profile ${FIXRAD_PROFILES_${FIXRAD_BOARD}})
+    set(scenes ${FIXRAD_SCENES_larger})
+    if(profile STREQUAL "tiny")
+      set(scenes ${FIXRAD_SCENES_tiny})
+    endif()
+    foreach(scene ${scenes})
+      list(APPEND names ${scene}_${profile})
+    endforeach()
+  endforeach()
+  set(${out} ${names} PARENT_SCOPE)
+endfunction()

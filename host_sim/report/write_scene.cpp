@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+#include "host_sim/report/write_scene.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "host_sim/report/flash_encoding.h"
+#include "host_sim/report/text.h"
+
+namespace fixrad::host {
+namespace {
+
+constexpr std::size_t kLineWidth = 110;
+
+// Integers and braced records of them, as C++ reads them where int has 16 bits: signed literals take the type
+// that holds them, unsigned ones need the suffix to stay unsigned.
+std::string literal(std::int64_t value) {
+  std::string text;
+  append_number(text, value);
+  return text;
+}
+
+std::string unsigned_literal(std::uint32_t value) {
+  return literal(value) + "u";
+}
+
+std::string hex_literal(std::uint64_t value) {
+  std::string digits = "ull";
+  for (int i = 0; i < 16; ++i, value >>= 4) {
+    digits.insert(digits.begin(), "0123456789abcdef"[value & 15]);
+  }
+  return "0x" + digits;
+}
+
+std::string braced(const std::vector<std::string>& parts) {
+  std::string text = "{";
+  for (const std::string& part : parts) {
+    text += text.size() == 1 ? "" : ", ";
+    text += part;
+  }
+  return text + "}";
+}
+
+template <class T, std::size_t N>
+std::string record_of(const T (&values)[N]) {
+  std::vector<std::string> parts;
+  for (const T value : values) {
+    parts.push_back(literal(value));
+  }
+  return braced(parts);
+}
+
+std::string record_of(std::uint16_t value) {
+  return literal(value);
+}
+std::string record_of(std::int32_t value) {
+  return literal(value);
+}
+std::string record_of(const Vertex& v) {
+  return braced({literal(v.x), literal(v.y), literal(v.z)});
+}
+std::string record_of(const Face& f) {
+  return braced({literal(f.first_corner), literal(f.material), literal(f.first_cell_row),
+                 literal(f.corner_count), literal(f.cells_u), literal(f.cells_v), record_of(f.normal),
+                 record_of(f.tangent), record_of(f.origin), record_of(f.axis_u), record_of(f.axis_v),
+                 unsigned_literal(f.cell_area)});
+}
+std::string record_of(const CellRow& r) {
+  return braced({literal(r.first_element), literal(r.first_cell), literal(r.last_cell)});
+}
+std::string record_of(const Element& e) {
+  return braced(
+      {unsigned_literal(e.area), record_of(e.eye), literal(e.patch), literal(e.face), literal(e.material)});
+}
+std::string record_of(const Patch& p) {
+  return braced({record_of(p.eye), literal(p.face), literal(p.first_element), literal(p.element_count)});
+}
+std::string record_of(const fixrad::Material& m) {
+  std::vector<std::string> reflectance, emission;
+  for (int c = 0; c < kMaxChannels; ++c) {
+    reflectance.push_back(unsigned_literal(m.reflectance[c]));
+    emission.push_back(unsigned_literal(m.emission[c]));
+  }
+  return braced({braced(reflectance), braced(emission)});
+}
+std::string record_of(const MeshVertex& v) {
+  return braced({unsigned_literal(v.first), unsigned_literal(v.inner), literal(v.count)});
+}
+std::string record_of(const Ledger& l) {
+  return braced(
+      {literal(l.emitted), literal(l.absorbed), literal(l.unshot), literal(l.escaped), literal(l.back)});
+}
+
+// `declaration = {records};`, lines filled.
+template <class T>
+void append_table(std::string& text, std::string_view declaration, const T* records, std::size_t count) {
+  text += "inline constexpr FIXRAD_FLASH ";
+  text += declaration;
+  text += " = {";
+  std::size_t width = kLineWidth;  // the first record begins a line
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string record = record_of(records[i]) + ",";
+    if (width + 1 + record.size() > kLineWidth) {
+      text += "\n   ";
+      width = 3;
+    }
+    text += ' ';
+    text += record;
+    width += 1 + record.size();
+  }
+  text += "\n};\n";
+}
+
+std::string number(double value) {
+  std::string text;
+  append_number(text, value);
+  return text;
+}
+
+void append_head(std::string& text, const SceneTable& table, const std::string& name) {
+  const Scene& s = table.scene;
+  text +=
+      "// SPDX-License-Identifier: MIT\n"
+      "// clang-format off\n"
+      "// The scene of " +
+      one_line(table.source) + " for profile " + one_line(table.profile) + " (" + one_line(table.chip) +
+      "), and what its solution must be.\n"
+      "// Made by `fixrad export`: export again instead of editing.\n"
+      "// " +
+      literal(s.face_count) + " faces, " + literal(s.element_count) + " elements, " + literal(s.patch_count) +
+      " patches, " + literal(table.map.vertex_count) + " vertices of the displayed mesh, " +
+      literal(s.channels) + (s.channels == 1 ? " channel" : " channels") +
+      ".\n"
+      "// One unit of flux: " +
+      number(table.unit_watts) + " W. One unit of radiosity: " + number(table.unit_radiosity) +
+      " W/m^2.\n"
+      "#pragma once\n\n"
+      "#include <stdint.h>\n\n"
+      "#include \"lib/fixrad.h\"\n\n"
+      "namespace " +
+      name + " {\n\n";
+}
+
+std::size_t map_elements(const VertexMap& map) {
+  std::size_t end = 0;
+  for (std::uint32_t v = 0; v < map.vertex_count; ++v) {
+    end = std::max(end, std::size_t{map.vertices[v].first} + map.vertices[v].count);
+  }
+  return end;
+}
+
+void append_scene_tables(std::string& text, const SceneTable& table) {
+  const Scene& s = table.scene;
+  append_table(text, "fixrad::Vertex kVertices[]", s.vertices, s.vertex_count);
+  append_table(text, "uint16_t kCorners[]", s.corners, s.corner_count);
+  append_table(text, "fixrad::Face kFaces[]", s.faces, s.face_count);
+  append_table(text, "fixrad::CellRow kCellRows[]", s.cell_rows, s.cell_row_count);
+  append_table(text, "fixrad::Element kElements[]", s.elements, s.element_count);
+  append_table(text, "fixrad::Patch kPatches[]", s.patches, s.patch_count);
+  append_table(text, "uint16_t kPatchElements[]", s.patch_elements, s.element_count);
+  append_table(text, "fixrad::Material kMaterials[]", s.materials, s.material_count);
+  append_table(text, "fixrad::MeshVertex kMeshVertices[]", table.map.vertices, table.map.vertex_count);
+  append_table(text, "uint16_t kMeshVertexElements[]", table.map.elements, map_elements(table.map));
+}
+
+// An inline function whose value is `type` with the given members.
+void append_function(std::string& text, const std::string& type, const std::string& name,
+                     const std::vector<std::pair<const char*, std::string>>& members) {
+  text += "\ninline fixrad::" + type + " " + name + "() {\n  fixrad::" + type + " result = {};\n";
+  for (const auto& [member, value] : members) {
+    text += std::string("  result.") + member + " = " + value + ";\n";
+  }
+  text += "  return result;\n}\n";
+}
+
+const char* engine_name(Engine engine) {
+  if (engine == hemicube_rows) {
+    return "fixrad::hemicube_rows";
+  }
+  return engine == lune_rows ? "fixrad::lune_rows" : "fixrad::hemicube_pixels";
+}
+
+std::string table_name(const DeltaTable* table) {
+  if (table == nullptr) {
+    return "nullptr";
+  }
+  return (table->cosine != nullptr ? "&fixrad::kLune" : "&fixrad::kDelta") +
+         literal(1 << table->resolution_log2);
+}
+
+void append_scene_function(std::string& text, const Scene& s) {
+  append_function(text, "Scene", "scene",
+                  {{"vertices", "kVertices"},
+                   {"corners", "kCorners"},
+                   {"faces", "kFaces"},
+                   {"cell_rows", "kCellRows"},
+                   {"elements", "kElements"},
+                   {"patches", "kPatches"},
+                   {"patch_elements", "kPatchElements"},
+                   {"materials", "kMaterials"},
+                   {"vertex_count", literal(s.vertex_count)},
+                   {"corner_count", literal(s.corner_count)},
+                   {"face_count", literal(s.face_count)},
+                   {"cell_row_count", literal(s.cell_row_count)},
+                   {"element_count", literal(s.element_count)},
+                   {"patch_count", literal(s.patch_count)},
+                   {"material_count", literal(s.material_count)},
+                   {"channels", literal(s.channels)},
+                   {"emission_shift", literal(s.emission_shift)},
+                   {"radiosity_shift", literal(s.radiosity_shift)}});
+}
+
+void append_vertex_map_function(std::string& text, const VertexMap& map) {
+  append_function(text, "VertexMap", "vertex_map",
+                  {{"vertices", "kMeshVertices"},
+                   {"elements", "kMeshVertexElements"},
+                   {"vertex_count", literal(map.vertex_count)}});
+}
+
+// Takes Settings apart so that a member which is added to it does not compile until it is written here too.
+void append_settings_function(std::string& text, const Settings& settings) {
+  const auto& [engine, table, coarse, probe, stop, flux_per_eye, overshoot, observer] = settings;
+  const auto fraction_of = [](Fraction f) {
+    return "fixrad::Fraction::from_raw(" + unsigned_literal(f.raw) + ")";
+  };
+  append_function(text, "Settings", "settings",
+                  {{"engine", engine_name(engine)},
+                   {"table", table_name(table)},
+                   {"coarse", table_name(coarse)},
+                   {"probe", table_name(probe)},
+                   {"stop", fraction_of(stop)},
+                   {"flux_per_eye", fraction_of(flux_per_eye)},
+                   {"overshoot", overshoot ? "true" : "false"}});
+}
+
+void append_solver(std::string& text, const Sizes& s) {
+  text += "\n// Vertices, faces, elements, patches, spans, channels, resolution of the item buffer.\n";
+  text += "using Limits = fixrad::Limits<";
+  for (const std::uint32_t size : {s.vertices, s.faces, s.elements, s.patches, s.spans, s.channels}) {
+    text += literal(size) + ", ";
+  }
+  text += literal(s.pixel_resolution) + ">;\nusing Solver = fixrad::Solver<Limits>;\n";
+}
+
+void append_expected(std::string& text, const SceneTable& table) {
+  text += "\nnamespace expected {\n\n";
+  text += "constexpr uint64_t kDigest = " + hex_literal(table.digest) + ";\n";
+  text += "constexpr uint32_t kShots = " + unsigned_literal(table.shots) + ";\n";
+  text += "constexpr uint32_t kEyes = " + unsigned_literal(table.eyes) + ";\n";
+  text += "// A line a channel: emitted, absorbed, unshot, escaped, back; units of flux.\n";
+  append_table(text, "int64_t kLedger[][5]", table.ledger.data(), table.ledger.size());
+  text += "// [element][channel], units of flux.\n";
+  append_table(text, "int32_t kReceived[]", table.received.data(), table.received.size());
+  text += "\n}  // namespace expected\n";
+}
+
+// The core's own namespace holds names that a scene's has too.
+std::string scene_namespace(const std::filesystem::path& target) {
+  const std::string name = namespace_name(target.stem().string());
+  return name == "fixrad" ? "scene_fixrad" : name;
+}
+
+}  // namespace
+
+void write_scene(const std::filesystem::path& target, const SceneTable& table) {
+  const std::string name = scene_namespace(target);
+  std::string text;
+  append_head(text, table, name);
+  append_scene_tables(text, table);
+  append_scene_function(text, table.scene);
+  append_vertex_map_function(text, table.map);
+  append_settings_function(text, table.settings);
+  append_solver(text, table.sizes);
+  append_expected(text, table);
+  text += "\n}  // namespace " + name + "\n";
+  write_text(target, text);
+}
+
+}  // namespace fixrad::host

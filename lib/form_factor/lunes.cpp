@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "lib/form_factor/row_sampling.h"
+
+namespace fixrad {
+
+Status lune_rows(const Scene& scene, const DeltaTable& table, const EyeSample& sample, Workspace& work,
+                 FormFactorRow& row) {
+  make_view(scene, sample.eye, sample.back_faces, work);
+  make_grids(scene, sample.eye, work);
+  RowWriter writer(row, sample.weight);
+  const int size = 1 << table.resolution_log2;
+  uint32_t base = 0;
+  for (int first = 0; first < size; first += kBandRows) {
+    const int count = size - first < kBandRows ? size - first : kBandRows;
+    enter_band(scene, table, first, count, work);
+    if (!sample_band(scene, {table, true, first, count, !sample.back_faces}, work, base, writer)) {
+      return Status::span_pool_full;
+    }
+  }
+  return Status::ok;
+}
+
+}  // namespace fixrad

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// The host as a board, for programs with the small header.
+#include <cstdio>
+
+#include "firmware/boards/board.h"
+
+namespace fixrad::board {
+
+void write(const char* text) {
+  std::fputs(text, stdout);
+}
+
+}  // namespace fixrad::board

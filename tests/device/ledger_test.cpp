@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "tests/device/box_scene.h"
+#include "tests/device/testing.h"
+
+namespace fixrad::device_test {
+namespace {
+
+// A lamp (+y) over coloured walls.
+constexpr FIXRAD_FLASH Material kLampAndWalls[6] = {
+    {{0xc0000000, 0x20000000, 0x80000000}, {0, 0, 0}}, {{0x20000000, 0xc0000000, 0x80000000}, {0, 0, 0}},
+    {{0xb3333333, 0xb3333333, 0xb3333333}, {0, 0, 0}}, {{0, 0, 0}, {kEmission, kEmission / 2, kEmission / 3}},
+    {{0xe6666666, 0xe6666666, 0xe6666666}, {0, 0, 0}}, {{1, 0x7fffffff, 0xd0000000}, {0, 0, 0}}};
+
+constexpr uint8_t kFaces = 6;
+
+// Shoots until converged or `shots` are done, checking every channel after each.
+void expect_balance(BoxSolver& solver, uint16_t shots) {
+  const State& state = solver.state();
+  Status status = Status::ok;
+  while (status == Status::ok && state.shots < shots) {
+    for (uint8_t c = 0; c < state.scene.channels; ++c) {
+      ASSERT_EQ(ledger(state, c).imbalance(), 0);
+    }
+    status = solver.step();
+  }
+  ASSERT_TRUE(status == Status::ok || status == Status::converged);
+  EXPECT_GT(state.shots, 6u);
+}
+
+TEST(Ledger, OfAClosedBoxBalancesAfterEveryShotAndNothingEscapes) {
+  BoxSolver& solver = box_solver();
+  ASSERT_EQ(solver.load(box_scene(kLampAndWalls, kFaces, 3), box_settings()), Status::ok);
+  expect_balance(solver, 200);
+  for (uint8_t c = 0; c < 3; ++c) {
+    const Ledger total = ledger(solver.state(), c);
+    EXPECT_EQ(total.escaped, 0);
+    EXPECT_EQ(total.back, 0);
+    EXPECT_GT(total.absorbed, total.emitted - total.emitted / 100);
+  }
+}
+
+TEST(Ledger, OfAnOpenBoxBalancesAfterEveryShotAndLightEscapes) {
+  BoxSolver& solver = box_solver();
+  ASSERT_EQ(solver.load(box_scene(kLampAndWalls, kFaces - 1, 3), box_settings()), Status::ok);
+  expect_balance(solver, 200);
+  for (uint8_t c = 0; c < 3; ++c) {
+    EXPECT_GT(ledger(solver.state(), c).escaped, 0);
+  }
+}
+
+TEST(Ledger, BalancesWhileLightIsLent) {
+  BoxSolver& solver = box_solver();
+  Settings settings = box_settings();
+  settings.overshoot = true;
+  ASSERT_EQ(solver.load(box_scene(kLampAndWalls, kFaces, 3), settings), Status::ok);
+  expect_balance(solver, 200);
+}
+
+TEST(Ledger, BalancesWithSeveralEyesAShot) {
+  BoxSolver& solver = box_solver();
+  Settings settings = box_settings();
+  settings.flux_per_eye = fraction(1, 6);
+  settings.table = &kDelta8;
+  ASSERT_EQ(solver.load(box_scene(kLampAndWalls, kFaces, 3), settings), Status::ok);
+  expect_balance(solver, 20);
+  EXPECT_GT(solver.state().eyes, solver.state().shots);
+}
+
+TEST(Ledger, BalancesWithPixels) {
+  BoxSolver& solver = box_solver();
+  Settings settings = box_settings();
+  settings.engine = hemicube_pixels;
+  settings.table = settings.coarse = &kDelta8;
+  ASSERT_EQ(solver.load(box_scene(kLampAndWalls, kFaces, 3), settings), Status::ok);
+  expect_balance(solver, 20);
+}
+
+TEST(Ledger, BalancesWithLunes) {
+  BoxSolver& solver = box_solver();
+  Settings settings = box_settings();
+  settings.engine = lune_rows;
+  settings.table = settings.coarse = &kLune16;
+  settings.probe = &kLune8;
+  ASSERT_EQ(solver.load(box_scene(kLampAndWalls, kFaces, 3), settings), Status::ok);
+  expect_balance(solver, 200);
+  EXPECT_EQ(solver.state().escaped[0], 0);
+}
+
+// One shot of the lamp: what arrives is what was sent, and the lamp, which is black, keeps nothing.
+TEST(Shot, MovesTheWholeFluxOfTheBrightestPatch) {
+  BoxSolver& solver = box_solver();
+  const State& state = solver.state();
+  ASSERT_EQ(solver.load(box_scene(kLampAndWalls, kFaces, 3), box_settings()), Status::ok);
+  ASSERT_EQ(solver.step(), Status::ok);
+  for (uint8_t c = 0; c < 3; ++c) {
+    int64_t received = 0;
+    for (uint16_t e = 0; e < state.scene.element_count; ++e) {
+      received += state.received[e * 3u + c];
+    }
+    EXPECT_EQ(received, static_cast<int64_t>(state.emitted[c]));
+    EXPECT_EQ(state.unshot[3 * 3 + c], 0);
+  }
+}
+
+}  // namespace
+}  // namespace fixrad::device_test

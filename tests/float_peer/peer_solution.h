@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "firmware/float_peer/solver.h"
+#include "tests/lib/solution.h"
+
+namespace fixrad::host {
+
+/// The storage that all tests share.
+using Peer = peer::Solver<Limits<400, 300, 2000, 2000, 2000>>;
+
+/// The float peer on the scene of a core's solution, with the core's settings, solved until its status is not
+/// ok. Fails the current test unless that is `converged`.
+class PeerSolution {
+ public:
+  explicit PeerSolution(const Solution& core);
+
+  const Peer& solver() const { return *peer_; }
+  const peer::State& state() const { return peer_->state(); }
+
+  /// Radiosity of all elements, one channel, unit of the model's emission.
+  std::vector<double> radiosities(int channel = 0) const;
+  /// emitted - absorbed - unshot - escaped - back over emitted, the largest of all channels.
+  double imbalance() const;
+
+ private:
+  const DeviceScene& device_;
+  std::unique_ptr<Peer> peer_;
+};
+
+}  // namespace fixrad::host
