@@ -15,7 +15,7 @@ targets="cmake:cmake ninja:ninja-build python3:python3 cc:gcc libc6-dev
 arm-none-eabi-g++:gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm:qemu-system-arm
 riscv64-unknown-elf-g++:gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
 xtensa-lx106-elf-g++:gcc-xtensa-lx106 qemu-system-riscv32:qemu-system-misc qemu-system-xtensa:qemu-system-misc
-clang++-14:clang-14 avr-g++:gcc-avr avr-ar:binutils-avr avr-libc libsimavr-dev libelf-dev"
+avr-g++:gcc-avr avr-ar:binutils-avr avr-libc libsimavr-dev libelf-dev"
 checks="ca-certificates clang++:clang clang-format:clang-format clang-tidy:clang-tidy git:git python3:python3 node:nodejs npm:npm"
 
 case "${1:-}" in

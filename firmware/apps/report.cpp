@@ -4,7 +4,8 @@
 #include "firmware/apps/text.h"
 #include "firmware/boards/board.h"
 
-namespace fixrad::report {
+namespace fixrad {
+namespace report {
 namespace {
 
 void write_ledger(const State& state) {
@@ -87,4 +88,5 @@ void write_difference(const Difference& difference) {
   write_found_and_wanted(difference);
 }
 
-}  // namespace fixrad::report
+}  // namespace report
+}  // namespace fixrad

@@ -7,7 +7,8 @@
 
 // What solve and bench print: one "key value..." a line, for people and for scripts.
 
-namespace fixrad::report {
+namespace fixrad {
+namespace report {
 
 /// The solution: status, counts, digest, and for every channel "ledger CHANNEL emitted absorbed unshot
 /// escaped back" and "imbalance CHANNEL n", which is 0; bytes of the solver.
@@ -19,4 +20,5 @@ bool write_stack();
 /// One line that says whether the solution is the expected one, else where it first differs.
 void write_difference(const Difference& difference);
 
-}  // namespace fixrad::report
+}  // namespace report
+}  // namespace fixrad

@@ -3,7 +3,8 @@
 
 #include "firmware/boards/board.h"
 
-namespace fixrad::text {
+namespace fixrad {
+namespace text {
 namespace {
 
 // Divides `value` by ten in place and returns the remainder. Cost: four 32-bit divisions.
@@ -59,4 +60,5 @@ void write_hex(uint64_t value) {
   write(digits);
 }
 
-}  // namespace fixrad::text
+}  // namespace text
+}  // namespace fixrad

@@ -5,7 +5,8 @@
 
 // Numbers on the console, without a C library and without 64-bit division, which not every target has.
 
-namespace fixrad::text {
+namespace fixrad {
+namespace text {
 
 /// Writes a string.
 void write(const char* text);
@@ -29,4 +30,5 @@ inline void write_line(const char* key, T value) {
   write("\n");
 }
 
-}  // namespace fixrad::text
+}  // namespace text
+}  // namespace fixrad

@@ -6,7 +6,8 @@
 /// What an application may ask of a board; each folder beside this file implements it for one board or
 /// emulator. Start-up code clears and fills RAM, paints the stack, calls main() and takes its value as the
 /// exit code. A fault that the core detects ends the program with kFaultExit and a line on the console.
-namespace fixrad::board {
+namespace fixrad {
+namespace board {
 
 /// Exit code of a program that has run into a fault.
 constexpr int kFaultExit = 101;
@@ -24,4 +25,5 @@ uint32_t stack_used();
 /// Bytes reserved for the stack. stack_used() reaching it means that the stack may have grown into data.
 uint32_t stack_size();
 
-}  // namespace fixrad::board
+}  // namespace board
+}  // namespace fixrad

@@ -13,7 +13,8 @@ extern uint8_t fixrad_stack_limit[];  // lowest address
 extern uint8_t fixrad_stack_top[];    // one past the highest
 }
 
-namespace fixrad::board {
+namespace fixrad {
+namespace board {
 
 constexpr uint8_t kPaint = 0xa5;
 
@@ -41,4 +42,5 @@ uint32_t stack_size() {
   return static_cast<uint32_t>(fixrad_stack_top - fixrad_stack_limit);
 }
 
-}  // namespace fixrad::board
+}  // namespace board
+}  // namespace fixrad

@@ -7,7 +7,8 @@ extern StaticConstructor fixrad_constructors_start[];
 extern StaticConstructor fixrad_constructors_end[];
 }
 
-namespace fixrad::board {
+namespace fixrad {
+namespace board {
 
 /// Runs the constructors of static objects that a compiler could not turn into initial values; the linker
 /// script gathers them. For start-up code, after RAM has its initial values.
@@ -18,4 +19,5 @@ inline void run_static_constructors() {
   }
 }
 
-}  // namespace fixrad::board
+}  // namespace board
+}  // namespace fixrad

@@ -5,11 +5,16 @@
 An address belongs to the stage of the innermost inlined frame that lies in a source file of RULES; helpers that are
 inlined everywhere (lib/fixed) count for who uses them. Addresses without such a frame go by the name of their function:
 routines of libgcc and what a compiler calls to copy.
+
+With --objects (AVR: its debug information holds 16-bit addresses, code has more) an address belongs to the object file
+that defines its function instead; what is inlined then counts for the function that it is inlined into.
 """
 
 import argparse
 import bisect
+import glob
 import json
+import os
 import re
 import subprocess
 import sys
@@ -66,6 +71,17 @@ def stage_by_file(frames):
     return None
 
 
+def files_of_symbols(folder):
+    """{name of a function: source file} of the object files below `folder`."""
+    result = {}
+    for path in sorted(glob.glob(os.path.join(folder, "**", "*.cpp.obj"), recursive=True)):
+        source = re.sub(r"CMakeFiles/[^/]+\.dir/", "", path[:-len(".obj")])
+        for name, _, size in elf_symbols.symbols(path):
+            if size:
+                result.setdefault(name, source)
+    return result
+
+
 def function_names(elf):
     """A function from an address to the name of the symbol that covers it."""
     found = sorted((value & ~1, name) for name, value, _ in elf_symbols.symbols(elf) if not name.startswith(("$", ".")))
@@ -86,13 +102,16 @@ def stage_by_symbol(name):
     return "other"
 
 
-def stages(counts, elf, prefix):
+def stages(counts, elf, prefix, objects):
     """{stage: count} of {address: count}."""
-    frames = frames_of(sorted(counts), elf, prefix)
+    files = files_of_symbols(objects) if objects else {}
+    frames = {} if objects else frames_of(sorted(counts), elf, prefix)
     name_of = function_names(elf)
     total = {}
     for address, count in counts.items():
-        stage = stage_by_file(frames.get(address, [])) or stage_by_symbol(name_of(address))
+        name = name_of(address)
+        at = [(name, files[name])] if name in files else frames.get(address, [])
+        stage = stage_by_file(at) or stage_by_symbol(name)
         total[stage] = total.get(stage, 0) + count
     return {stage: total[stage] for stage in ORDER if stage in total}
 
@@ -103,6 +122,7 @@ def main():
     parser.add_argument("elf", help="the program, with debug information")
     parser.add_argument("--region", default="solve", help="which region of the program (default: solve)")
     parser.add_argument("--prefix", required=True, help="of the binutils, such as arm-none-eabi-")
+    parser.add_argument("--objects", metavar="FOLDER", help="attribute by the object files below this folder")
     parser.add_argument("--json", action="store_true", help="print JSON instead of a table")
     parser.add_argument("--require", nargs="+", default=[], metavar="STAGE", help="fail unless each has been executed")
     options = parser.parse_args()
@@ -112,7 +132,8 @@ def main():
         print(f"stages.py: no region {options.region}; there are {', '.join(measured['regions'])}", file=sys.stderr)
         return 1
     region = measured["regions"][options.region]
-    result = stages({int(at, 16): count for at, count in region["by_pc"].items()}, options.elf, options.prefix)
+    result = stages({int(at, 16): count for at, count in region["by_pc"].items()}, options.elf, options.prefix,
+                    options.objects)
     missing = [stage for stage in options.require if stage not in result]
     if missing:
         print(f"stages.py: nothing executed in: {', '.join(missing)}; a rule fits no file", file=sys.stderr)

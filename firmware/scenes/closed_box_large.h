@@ -12,14 +12,14 @@
 
 namespace closed_box_large {
 
-inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Vertex kVertices[] = {
     {8, 16375, 8}, {8, 16375, 16375}, {8, 8, 16375}, {8, 8, 8}, {16375, 8, 16375}, {16375, 16375, 16375},
     {16375, 16375, 8}, {16375, 8, 8},
 };
-inline constexpr FIXRAD_FLASH uint16_t kCorners[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kCorners[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 2, 4, 7, 3, 6, 5, 1, 0, 7, 6, 0, 3, 1, 5, 4, 2,
 };
-inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Face kFaces[] = {
     {0, 0, 0, 4, 11, 11, {16384, 0, 0}, {0, 0, 16384}, {8, 16375, 8}, {0, 0, 16367}, {0, -16367, 0}, 17710988u},
     {4, 0, 11, 4, 11, 11, {-16384, 0, 0}, {0, 16384, 0}, {16375, 8, 16375}, {0, 16367, 0}, {0, 0, -16367}, 17710988u},
     {8, 0, 22, 4, 11, 11, {0, 16384, 0}, {16384, 0, 0}, {8, 8, 16375}, {16367, 0, 0}, {0, 0, -16367}, 17710988u},
@@ -27,7 +27,7 @@ inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
     {16, 0, 44, 4, 11, 11, {0, 0, 16384}, {0, 16384, 0}, {16375, 8, 8}, {0, 16367, 0}, {-16367, 0, 0}, 17710988u},
     {20, 0, 55, 4, 11, 11, {0, 0, -16384}, {16384, 0, 0}, {8, 16375, 16375}, {16367, 0, 0}, {0, -16367, 0}, 17710988u},
 };
-inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
+constexpr FIXRAD_IN_FLASH fixrad::CellRow kCellRows[] = {
     {0, 0, 10}, {11, 0, 10}, {22, 0, 10}, {33, 0, 10}, {44, 0, 10}, {55, 0, 10}, {66, 0, 10}, {77, 0, 10},
     {88, 0, 10}, {99, 0, 10}, {110, 0, 10}, {121, 0, 10}, {132, 0, 10}, {143, 0, 10}, {154, 0, 10},
     {165, 0, 10}, {176, 0, 10}, {187, 0, 10}, {198, 0, 10}, {209, 0, 10}, {220, 0, 10}, {231, 0, 10},
@@ -39,7 +39,7 @@ inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
     {627, 0, 10}, {638, 0, 10}, {649, 0, 10}, {660, 0, 10}, {671, 0, 10}, {682, 0, 10}, {693, 0, 10},
     {704, 0, 10}, {715, 0, 10},
 };
-inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Element kElements[] = {
     {17710988u, {34, 62524, 3008}, 0, 0, 0}, {17710988u, {34, 62524, 8959}, 1, 0, 0},
     {17710988u, {34, 62524, 14911}, 2, 0, 0}, {17710988u, {34, 62524, 20863}, 3, 0, 0},
     {17710988u, {34, 62524, 26814}, 4, 0, 0}, {17710988u, {34, 62524, 32766}, 5, 0, 0},
@@ -404,7 +404,7 @@ inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
     {17710988u, {44669, 3008, 65498}, 722, 5, 0}, {17710988u, {50621, 3008, 65498}, 723, 5, 0},
     {17710988u, {56573, 3008, 65498}, 724, 5, 0}, {17710988u, {62524, 3008, 65498}, 725, 5, 0},
 };
-inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Patch kPatches[] = {
     {{34, 62524, 3008}, 0, 0, 1}, {{34, 62524, 8959}, 0, 1, 1}, {{34, 62524, 14911}, 0, 2, 1},
     {{34, 62524, 20863}, 0, 3, 1}, {{34, 62524, 26814}, 0, 4, 1}, {{34, 62524, 32766}, 0, 5, 1},
     {{34, 62524, 38718}, 0, 6, 1}, {{34, 62524, 44669}, 0, 7, 1}, {{34, 62524, 50621}, 0, 8, 1},
@@ -683,7 +683,7 @@ inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
     {{38718, 3008, 65498}, 5, 721, 1}, {{44669, 3008, 65498}, 5, 722, 1}, {{50621, 3008, 65498}, 5, 723, 1},
     {{56573, 3008, 65498}, 5, 724, 1}, {{62524, 3008, 65498}, 5, 725, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kPatchElements[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28,
     29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54,
     55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80,
@@ -719,10 +719,10 @@ inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
     694, 695, 696, 697, 698, 699, 700, 701, 702, 703, 704, 705, 706, 707, 708, 709, 710, 711, 712, 713, 714,
     715, 716, 717, 718, 719, 720, 721, 722, 723, 724, 725,
 };
-inline constexpr FIXRAD_FLASH fixrad::Material kMaterials[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Material kMaterials[] = {
     {{2147483648u, 2147483648u, 2147483648u}, {2840570095u, 2840570095u, 2840570095u}},
 };
-inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {0u, 2u, 1}, {1u, 2u, 2}, {3u, 4294967295u, 4}, {7u, 2u, 2}, {9u, 5u, 2}, {11u, 4294967295u, 4},
     {15u, 7u, 2}, {17u, 4294967295u, 4}, {21u, 9u, 2}, {23u, 4294967295u, 4}, {27u, 11u, 2},
     {29u, 4294967295u, 4}, {33u, 13u, 2}, {35u, 4294967295u, 4}, {39u, 15u, 2}, {41u, 4294967295u, 4},
@@ -928,7 +928,7 @@ inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {2887u, 843u, 2}, {2889u, 844u, 2}, {2891u, 845u, 2}, {2893u, 846u, 2}, {2895u, 847u, 2},
     {2897u, 848u, 2}, {2899u, 849u, 2}, {2901u, 850u, 2}, {2903u, 850u, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kMeshVertexElements[] = {
     0, 0, 1, 0, 1, 11, 12, 0, 11, 1, 2, 1, 2, 12, 13, 2, 3, 2, 3, 13, 14, 3, 4, 3, 4, 14, 15, 4, 5, 4, 5, 15,
     16, 5, 6, 5, 6, 16, 17, 6, 7, 6, 7, 17, 18, 7, 8, 7, 8, 18, 19, 8, 9, 8, 9, 19, 20, 9, 10, 9, 10, 20, 21,
     10, 10, 21, 11, 12, 22, 23, 11, 22, 12, 13, 23, 24, 13, 14, 24, 25, 14, 15, 25, 26, 15, 16, 26, 27, 16,
@@ -1066,7 +1066,7 @@ inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
     724, 724, 725, 725,
 };
 
-inline fixrad::Scene scene() {
+static inline fixrad::Scene scene() {
   fixrad::Scene result = {};
   result.vertices = kVertices;
   result.corners = kCorners;
@@ -1089,7 +1089,7 @@ inline fixrad::Scene scene() {
   return result;
 }
 
-inline fixrad::VertexMap vertex_map() {
+static inline fixrad::VertexMap vertex_map() {
   fixrad::VertexMap result = {};
   result.vertices = kMeshVertices;
   result.elements = kMeshVertexElements;
@@ -1097,7 +1097,7 @@ inline fixrad::VertexMap vertex_map() {
   return result;
 }
 
-inline fixrad::Settings settings() {
+static inline fixrad::Settings settings() {
   fixrad::Settings result = {};
   result.engine = fixrad::lune_rows;
   result.table = &fixrad::kLune32;
@@ -1119,11 +1119,11 @@ constexpr uint64_t kDigest = 0x2a5d62a066ee0445ull;
 constexpr uint32_t kShots = 1617u;
 constexpr uint32_t kEyes = 1617u;
 // A line a channel: emitted, absorbed, unshot, escaped, back; units of flux.
-inline constexpr FIXRAD_FLASH int64_t kLedger[][5] = {
+constexpr FIXRAD_IN_FLASH int64_t kLedger[][5] = {
     {531501696, 531397989, 103707, 0, 0},
 };
 // [element][channel], units of flux.
-inline constexpr FIXRAD_FLASH int32_t kReceived[] = {
+constexpr FIXRAD_IN_FLASH int32_t kReceived[] = {
     1317834, 1417435, 1414083, 1401928, 1378658, 1353340, 1387886, 1373024, 1379009, 1384708, 1363542,
     1397970, 1477808, 1486604, 1477226, 1494544, 1596670, 1356525, 1590960, 1521849, 1523795, 1466070,
     1443192, 1547684, 1523228, 1528375, 1510203, 1468253, 1540672, 1512379, 1537118, 1506718, 1403895,

@@ -12,14 +12,14 @@
 
 namespace closed_box_medium {
 
-inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Vertex kVertices[] = {
     {8, 16375, 8}, {8, 16375, 16375}, {8, 8, 16375}, {8, 8, 8}, {16375, 8, 16375}, {16375, 16375, 16375},
     {16375, 16375, 8}, {16375, 8, 8},
 };
-inline constexpr FIXRAD_FLASH uint16_t kCorners[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kCorners[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 2, 4, 7, 3, 6, 5, 1, 0, 7, 6, 0, 3, 1, 5, 4, 2,
 };
-inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Face kFaces[] = {
     {0, 0, 0, 4, 9, 9, {16384, 0, 0}, {0, 0, 16384}, {8, 16375, 8}, {0, 0, 16367}, {0, -16367, 0}, 26457154u},
     {4, 0, 9, 4, 9, 9, {-16384, 0, 0}, {0, 16384, 0}, {16375, 8, 16375}, {0, 16367, 0}, {0, 0, -16367}, 26457154u},
     {8, 0, 18, 4, 9, 9, {0, 16384, 0}, {16384, 0, 0}, {8, 8, 16375}, {16367, 0, 0}, {0, 0, -16367}, 26457154u},
@@ -27,7 +27,7 @@ inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
     {16, 0, 36, 4, 9, 9, {0, 0, 16384}, {0, 16384, 0}, {16375, 8, 8}, {0, 16367, 0}, {-16367, 0, 0}, 26457154u},
     {20, 0, 45, 4, 9, 9, {0, 0, -16384}, {16384, 0, 0}, {8, 16375, 16375}, {16367, 0, 0}, {0, -16367, 0}, 26457154u},
 };
-inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
+constexpr FIXRAD_IN_FLASH fixrad::CellRow kCellRows[] = {
     {0, 0, 8}, {9, 0, 8}, {18, 0, 8}, {27, 0, 8}, {36, 0, 8}, {45, 0, 8}, {54, 0, 8}, {63, 0, 8}, {72, 0, 8},
     {81, 0, 8}, {90, 0, 8}, {99, 0, 8}, {108, 0, 8}, {117, 0, 8}, {126, 0, 8}, {135, 0, 8}, {144, 0, 8},
     {153, 0, 8}, {162, 0, 8}, {171, 0, 8}, {180, 0, 8}, {189, 0, 8}, {198, 0, 8}, {207, 0, 8}, {216, 0, 8},
@@ -36,7 +36,7 @@ inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
     {369, 0, 8}, {378, 0, 8}, {387, 0, 8}, {396, 0, 8}, {405, 0, 8}, {414, 0, 8}, {423, 0, 8}, {432, 0, 8},
     {441, 0, 8}, {450, 0, 8}, {459, 0, 8}, {468, 0, 8}, {477, 0, 8},
 };
-inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Element kElements[] = {
     {26457154u, {34, 61863, 3669}, 0, 0, 0}, {26457154u, {34, 61863, 10943}, 1, 0, 0},
     {26457154u, {34, 61863, 18218}, 2, 0, 0}, {26457154u, {34, 61863, 25492}, 3, 0, 0},
     {26457154u, {34, 61863, 32766}, 4, 0, 0}, {26457154u, {34, 61863, 40040}, 5, 0, 0},
@@ -281,7 +281,7 @@ inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
     {26457154u, {40040, 3669, 65498}, 482, 5, 0}, {26457154u, {47314, 3669, 65498}, 483, 5, 0},
     {26457154u, {54589, 3669, 65498}, 484, 5, 0}, {26457154u, {61863, 3669, 65498}, 485, 5, 0},
 };
-inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Patch kPatches[] = {
     {{34, 61863, 3669}, 0, 0, 1}, {{34, 61863, 10943}, 0, 1, 1}, {{34, 61863, 18218}, 0, 2, 1},
     {{34, 61863, 25492}, 0, 3, 1}, {{34, 61863, 32766}, 0, 4, 1}, {{34, 61863, 40040}, 0, 5, 1},
     {{34, 61863, 47314}, 0, 6, 1}, {{34, 61863, 54589}, 0, 7, 1}, {{34, 61863, 61863}, 0, 8, 1},
@@ -467,7 +467,7 @@ inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
     {{32766, 3669, 65498}, 5, 481, 1}, {{40040, 3669, 65498}, 5, 482, 1}, {{47314, 3669, 65498}, 5, 483, 1},
     {{54589, 3669, 65498}, 5, 484, 1}, {{61863, 3669, 65498}, 5, 485, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kPatchElements[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28,
     29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54,
     55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80,
@@ -492,10 +492,10 @@ inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
     463, 464, 465, 466, 467, 468, 469, 470, 471, 472, 473, 474, 475, 476, 477, 478, 479, 480, 481, 482, 483,
     484, 485,
 };
-inline constexpr FIXRAD_FLASH fixrad::Material kMaterials[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Material kMaterials[] = {
     {{2147483648u, 2147483648u, 2147483648u}, {2840570095u, 2840570095u, 2840570095u}},
 };
-inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {0u, 2u, 1}, {1u, 2u, 2}, {3u, 4294967295u, 4}, {7u, 2u, 2}, {9u, 5u, 2}, {11u, 4294967295u, 4},
     {15u, 7u, 2}, {17u, 4294967295u, 4}, {21u, 9u, 2}, {23u, 4294967295u, 4}, {27u, 11u, 2},
     {29u, 4294967295u, 4}, {33u, 13u, 2}, {35u, 4294967295u, 4}, {39u, 15u, 2}, {41u, 4294967295u, 4},
@@ -634,7 +634,7 @@ inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {1926u, 580u, 2}, {1928u, 580u, 1}, {1929u, 582u, 2}, {1931u, 583u, 2}, {1933u, 584u, 2},
     {1935u, 585u, 2}, {1937u, 586u, 2}, {1939u, 587u, 2}, {1941u, 588u, 2}, {1943u, 588u, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kMeshVertexElements[] = {
     0, 0, 1, 0, 1, 9, 10, 0, 9, 1, 2, 1, 2, 10, 11, 2, 3, 2, 3, 11, 12, 3, 4, 3, 4, 12, 13, 4, 5, 4, 5, 13,
     14, 5, 6, 5, 6, 14, 15, 6, 7, 6, 7, 15, 16, 7, 8, 7, 8, 16, 17, 8, 8, 17, 9, 10, 18, 19, 9, 18, 10, 11,
     19, 20, 11, 12, 20, 21, 12, 13, 21, 22, 13, 14, 22, 23, 14, 15, 23, 24, 15, 16, 24, 25, 16, 17, 25, 26,
@@ -726,7 +726,7 @@ inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
     480, 481, 481, 482, 482, 483, 483, 484, 484, 485, 485,
 };
 
-inline fixrad::Scene scene() {
+static inline fixrad::Scene scene() {
   fixrad::Scene result = {};
   result.vertices = kVertices;
   result.corners = kCorners;
@@ -749,7 +749,7 @@ inline fixrad::Scene scene() {
   return result;
 }
 
-inline fixrad::VertexMap vertex_map() {
+static inline fixrad::VertexMap vertex_map() {
   fixrad::VertexMap result = {};
   result.vertices = kMeshVertices;
   result.elements = kMeshVertexElements;
@@ -757,7 +757,7 @@ inline fixrad::VertexMap vertex_map() {
   return result;
 }
 
-inline fixrad::Settings settings() {
+static inline fixrad::Settings settings() {
   fixrad::Settings result = {};
   result.engine = fixrad::lune_rows;
   result.table = &fixrad::kLune32;
@@ -779,11 +779,11 @@ constexpr uint64_t kDigest = 0x82566ae656541991ull;
 constexpr uint32_t kShots = 1089u;
 constexpr uint32_t kEyes = 1089u;
 // A line a channel: emitted, absorbed, unshot, escaped, back; units of flux.
-inline constexpr FIXRAD_FLASH int64_t kLedger[][5] = {
+constexpr FIXRAD_IN_FLASH int64_t kLedger[][5] = {
     {531501750, 531500690, 1060, 0, 0},
 };
 // [element][channel], units of flux.
-inline constexpr FIXRAD_FLASH int32_t kReceived[] = {
+constexpr FIXRAD_IN_FLASH int32_t kReceived[] = {
     2003365, 2137994, 2054832, 2098259, 2060903, 2119466, 2071978, 2160670, 2034016, 2034709, 2289505,
     2306160, 2234897, 2208360, 2268301, 2254102, 2281711, 2224081, 2161997, 2357340, 2303633, 2309459,
     2300602, 2164404, 2275540, 2215919, 2133964, 2087503, 2281381, 2218117, 2145443, 2136199, 2196373,

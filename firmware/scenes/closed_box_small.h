@@ -12,14 +12,14 @@
 
 namespace closed_box_small {
 
-inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Vertex kVertices[] = {
     {8, 16375, 8}, {8, 16375, 16375}, {8, 8, 16375}, {8, 8, 8}, {16375, 8, 16375}, {16375, 16375, 16375},
     {16375, 16375, 8}, {16375, 8, 8},
 };
-inline constexpr FIXRAD_FLASH uint16_t kCorners[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kCorners[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 2, 4, 7, 3, 6, 5, 1, 0, 7, 6, 0, 3, 1, 5, 4, 2,
 };
-inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Face kFaces[] = {
     {0, 0, 0, 4, 6, 6, {16384, 0, 0}, {0, 0, 16384}, {8, 16375, 8}, {0, 0, 16367}, {0, -16367, 0}, 59528598u},
     {4, 0, 6, 4, 6, 6, {-16384, 0, 0}, {0, 16384, 0}, {16375, 8, 16375}, {0, 16367, 0}, {0, 0, -16367}, 59528598u},
     {8, 0, 12, 4, 6, 6, {0, 16384, 0}, {16384, 0, 0}, {8, 8, 16375}, {16367, 0, 0}, {0, 0, -16367}, 59528598u},
@@ -27,14 +27,14 @@ inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
     {16, 0, 24, 4, 6, 6, {0, 0, 16384}, {0, 16384, 0}, {16375, 8, 8}, {0, 16367, 0}, {-16367, 0, 0}, 59528598u},
     {20, 0, 30, 4, 6, 6, {0, 0, -16384}, {16384, 0, 0}, {8, 16375, 16375}, {16367, 0, 0}, {0, -16367, 0}, 59528598u},
 };
-inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
+constexpr FIXRAD_IN_FLASH fixrad::CellRow kCellRows[] = {
     {0, 0, 5}, {6, 0, 5}, {12, 0, 5}, {18, 0, 5}, {24, 0, 5}, {30, 0, 5}, {36, 0, 5}, {42, 0, 5}, {48, 0, 5},
     {54, 0, 5}, {60, 0, 5}, {66, 0, 5}, {72, 0, 5}, {78, 0, 5}, {84, 0, 5}, {90, 0, 5}, {96, 0, 5},
     {102, 0, 5}, {108, 0, 5}, {114, 0, 5}, {120, 0, 5}, {126, 0, 5}, {132, 0, 5}, {138, 0, 5}, {144, 0, 5},
     {150, 0, 5}, {156, 0, 5}, {162, 0, 5}, {168, 0, 5}, {174, 0, 5}, {180, 0, 5}, {186, 0, 5}, {192, 0, 5},
     {198, 0, 5}, {204, 0, 5}, {210, 0, 5},
 };
-inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Element kElements[] = {
     {59528598u, {34, 60044, 5488}, 0, 0, 0}, {59528598u, {34, 60044, 16399}, 0, 0, 0},
     {59528598u, {34, 60044, 27310}, 1, 0, 0}, {59528598u, {34, 60044, 38222}, 1, 0, 0},
     {59528598u, {34, 60044, 49133}, 2, 0, 0}, {59528598u, {34, 60044, 60044}, 2, 0, 0},
@@ -144,7 +144,7 @@ inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
     {59528598u, {27310, 5488, 65498}, 52, 5, 0}, {59528598u, {38222, 5488, 65498}, 52, 5, 0},
     {59528598u, {49133, 5488, 65498}, 53, 5, 0}, {59528598u, {60044, 5488, 65498}, 53, 5, 0},
 };
-inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Patch kPatches[] = {
     {{34, 54589, 10943}, 0, 0, 4}, {{34, 54589, 32766}, 0, 4, 4}, {{34, 54589, 54589}, 0, 8, 4},
     {{34, 32766, 10943}, 0, 12, 4}, {{34, 32766, 32766}, 0, 16, 4}, {{34, 32766, 54589}, 0, 20, 4},
     {{34, 10943, 10943}, 0, 24, 4}, {{34, 10943, 32766}, 0, 28, 4}, {{34, 10943, 54589}, 0, 32, 4},
@@ -167,7 +167,7 @@ inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
     {{10943, 10943, 65498}, 5, 204, 4}, {{32766, 10943, 65498}, 5, 208, 4},
     {{54589, 10943, 65498}, 5, 212, 4},
 };
-inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kPatchElements[] = {
     0, 1, 6, 7, 2, 3, 8, 9, 4, 5, 10, 11, 12, 13, 18, 19, 14, 15, 20, 21, 16, 17, 22, 23, 24, 25, 30, 31, 26,
     27, 32, 33, 28, 29, 34, 35, 36, 37, 42, 43, 38, 39, 44, 45, 40, 41, 46, 47, 48, 49, 54, 55, 50, 51, 56,
     57, 52, 53, 58, 59, 60, 61, 66, 67, 62, 63, 68, 69, 64, 65, 70, 71, 72, 73, 78, 79, 74, 75, 80, 81, 76,
@@ -179,10 +179,10 @@ inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
     190, 191, 192, 193, 198, 199, 194, 195, 200, 201, 196, 197, 202, 203, 204, 205, 210, 211, 206, 207, 212,
     213, 208, 209, 214, 215,
 };
-inline constexpr FIXRAD_FLASH fixrad::Material kMaterials[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Material kMaterials[] = {
     {{2147483648u, 2147483648u, 2147483648u}, {2840570095u, 2840570095u, 2840570095u}},
 };
-inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {0u, 2u, 1}, {1u, 2u, 2}, {3u, 4294967295u, 4}, {7u, 2u, 2}, {9u, 5u, 2}, {11u, 4294967295u, 4},
     {15u, 7u, 2}, {17u, 4294967295u, 4}, {21u, 9u, 2}, {23u, 4294967295u, 4}, {27u, 11u, 2},
     {29u, 4294967295u, 4}, {33u, 11u, 1}, {34u, 11u, 2}, {36u, 4294967295u, 4}, {40u, 14u, 2},
@@ -244,7 +244,7 @@ inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {842u, 4294967295u, 4}, {846u, 4294967295u, 4}, {850u, 285u, 2}, {852u, 280u, 2}, {854u, 280u, 1},
     {855u, 282u, 2}, {857u, 283u, 2}, {859u, 284u, 2}, {861u, 285u, 2}, {863u, 285u, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kMeshVertexElements[] = {
     0, 0, 1, 0, 1, 6, 7, 0, 6, 1, 2, 1, 2, 7, 8, 2, 3, 2, 3, 8, 9, 3, 4, 3, 4, 9, 10, 4, 5, 4, 5, 10, 11, 5,
     5, 11, 6, 7, 12, 13, 6, 12, 7, 8, 13, 14, 8, 9, 14, 15, 9, 10, 15, 16, 10, 11, 16, 17, 11, 17, 12, 13, 18,
     19, 12, 18, 13, 14, 19, 20, 14, 15, 20, 21, 15, 16, 21, 22, 16, 17, 22, 23, 17, 23, 18, 19, 24, 25, 18,
@@ -285,7 +285,7 @@ inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
     215,
 };
 
-inline fixrad::Scene scene() {
+static inline fixrad::Scene scene() {
   fixrad::Scene result = {};
   result.vertices = kVertices;
   result.corners = kCorners;
@@ -308,7 +308,7 @@ inline fixrad::Scene scene() {
   return result;
 }
 
-inline fixrad::VertexMap vertex_map() {
+static inline fixrad::VertexMap vertex_map() {
   fixrad::VertexMap result = {};
   result.vertices = kMeshVertices;
   result.elements = kMeshVertexElements;
@@ -316,7 +316,7 @@ inline fixrad::VertexMap vertex_map() {
   return result;
 }
 
-inline fixrad::Settings settings() {
+static inline fixrad::Settings settings() {
   fixrad::Settings result = {};
   result.engine = fixrad::lune_rows;
   result.table = &fixrad::kLune16;
@@ -338,11 +338,11 @@ constexpr uint64_t kDigest = 0x3983c9697f2257d8ull;
 constexpr uint32_t kShots = 120u;
 constexpr uint32_t kEyes = 930u;
 // A line a channel: emitted, absorbed, unshot, escaped, back; units of flux.
-inline constexpr FIXRAD_FLASH int64_t kLedger[][5] = {
+constexpr FIXRAD_IN_FLASH int64_t kLedger[][5] = {
     {531502128, 531757666, -255538, 0, 0},
 };
 // [element][channel], units of flux.
-inline constexpr FIXRAD_FLASH int32_t kReceived[] = {
+constexpr FIXRAD_IN_FLASH int32_t kReceived[] = {
     5059798, 5012544, 4992526, 5013241, 4917308, 4902249, 5041757, 5100404, 5016162, 5003479, 5037307,
     4974896, 4834341, 4961482, 4878334, 4908546, 4977990, 4864829, 4835807, 5050182, 4975676, 4939572,
     5052749, 4839157, 4826690, 5181424, 5033297, 5029543, 5140261, 4812934, 4514308, 4901830, 4811373,

@@ -12,14 +12,14 @@
 
 namespace closed_box_tiny {
 
-inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Vertex kVertices[] = {
     {8, 16375, 8}, {8, 16375, 16375}, {8, 8, 16375}, {8, 8, 8}, {16375, 8, 16375}, {16375, 16375, 16375},
     {16375, 16375, 8}, {16375, 8, 8},
 };
-inline constexpr FIXRAD_FLASH uint16_t kCorners[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kCorners[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 2, 4, 7, 3, 6, 5, 1, 0, 7, 6, 0, 3, 1, 5, 4, 2,
 };
-inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Face kFaces[] = {
     {0, 0, 0, 4, 4, 4, {16384, 0, 0}, {0, 0, 16384}, {8, 16375, 8}, {0, 0, 16367}, {0, -16367, 0}, 133939345u},
     {4, 0, 4, 4, 4, 4, {-16384, 0, 0}, {0, 16384, 0}, {16375, 8, 16375}, {0, 16367, 0}, {0, 0, -16367}, 133939345u},
     {8, 0, 8, 4, 4, 4, {0, 16384, 0}, {16384, 0, 0}, {8, 8, 16375}, {16367, 0, 0}, {0, 0, -16367}, 133939345u},
@@ -27,12 +27,12 @@ inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
     {16, 0, 16, 4, 4, 4, {0, 0, 16384}, {0, 16384, 0}, {16375, 8, 8}, {0, 16367, 0}, {-16367, 0, 0}, 133939345u},
     {20, 0, 20, 4, 4, 4, {0, 0, -16384}, {16384, 0, 0}, {8, 16375, 16375}, {16367, 0, 0}, {0, -16367, 0}, 133939345u},
 };
-inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
+constexpr FIXRAD_IN_FLASH fixrad::CellRow kCellRows[] = {
     {0, 0, 3}, {4, 0, 3}, {8, 0, 3}, {12, 0, 3}, {16, 0, 3}, {20, 0, 3}, {24, 0, 3}, {28, 0, 3}, {32, 0, 3},
     {36, 0, 3}, {40, 0, 3}, {44, 0, 3}, {48, 0, 3}, {52, 0, 3}, {56, 0, 3}, {60, 0, 3}, {64, 0, 3},
     {68, 0, 3}, {72, 0, 3}, {76, 0, 3}, {80, 0, 3}, {84, 0, 3}, {88, 0, 3}, {92, 0, 3},
 };
-inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Element kElements[] = {
     {133939345u, {34, 57317, 8216}, 0, 0, 0}, {133939345u, {34, 57317, 24583}, 0, 0, 0},
     {133939345u, {34, 57317, 40950}, 1, 0, 0}, {133939345u, {34, 57317, 57317}, 1, 0, 0},
     {133939345u, {34, 40950, 8216}, 2, 0, 0}, {133939345u, {34, 40950, 24583}, 2, 0, 0},
@@ -82,7 +82,7 @@ inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
     {133939345u, {8216, 8216, 65498}, 46, 5, 0}, {133939345u, {24583, 8216, 65498}, 46, 5, 0},
     {133939345u, {40950, 8216, 65498}, 47, 5, 0}, {133939345u, {57317, 8216, 65498}, 47, 5, 0},
 };
-inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Patch kPatches[] = {
     {{34, 57317, 16399}, 0, 0, 2}, {{34, 57317, 49133}, 0, 2, 2}, {{34, 40950, 16399}, 0, 4, 2},
     {{34, 40950, 49133}, 0, 6, 2}, {{34, 24583, 16399}, 0, 8, 2}, {{34, 24583, 49133}, 0, 10, 2},
     {{34, 8216, 16399}, 0, 12, 2}, {{34, 8216, 49133}, 0, 14, 2}, {{65498, 16399, 57317}, 1, 16, 2},
@@ -100,16 +100,16 @@ inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
     {{16399, 40950, 65498}, 5, 84, 2}, {{49133, 40950, 65498}, 5, 86, 2}, {{16399, 24583, 65498}, 5, 88, 2},
     {{49133, 24583, 65498}, 5, 90, 2}, {{16399, 8216, 65498}, 5, 92, 2}, {{49133, 8216, 65498}, 5, 94, 2},
 };
-inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kPatchElements[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28,
     29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54,
     55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80,
     81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95,
 };
-inline constexpr FIXRAD_FLASH fixrad::Material kMaterials[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Material kMaterials[] = {
     {{2147483648u, 2147483648u, 2147483648u}, {2840570095u, 2840570095u, 2840570095u}},
 };
-inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {0u, 2u, 1}, {1u, 2u, 2}, {3u, 4294967295u, 4}, {7u, 2u, 2}, {9u, 5u, 2}, {11u, 4294967295u, 4},
     {15u, 7u, 2}, {17u, 4294967295u, 4}, {21u, 7u, 1}, {22u, 7u, 2}, {24u, 4294967295u, 4}, {28u, 10u, 2},
     {30u, 4294967295u, 4}, {34u, 4294967295u, 4}, {38u, 13u, 2}, {40u, 4294967295u, 4}, {44u, 15u, 2},
@@ -140,7 +140,7 @@ inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {370u, 4294967295u, 4}, {374u, 143u, 2}, {376u, 140u, 2}, {378u, 140u, 1}, {379u, 142u, 2},
     {381u, 143u, 2}, {383u, 143u, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kMeshVertexElements[] = {
     0, 0, 1, 0, 1, 4, 5, 0, 4, 1, 2, 1, 2, 5, 6, 2, 3, 2, 3, 6, 7, 3, 3, 7, 4, 5, 8, 9, 4, 8, 5, 6, 9, 10, 6,
     7, 10, 11, 7, 11, 8, 9, 12, 13, 8, 12, 9, 10, 13, 14, 10, 11, 14, 15, 11, 15, 12, 13, 12, 13, 14, 14, 15,
     15, 16, 16, 17, 16, 17, 20, 21, 16, 20, 17, 18, 17, 18, 21, 22, 18, 19, 18, 19, 22, 23, 19, 19, 23, 20,
@@ -158,7 +158,7 @@ inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
     95, 92, 93, 92, 93, 94, 94, 95, 95,
 };
 
-inline fixrad::Scene scene() {
+static inline fixrad::Scene scene() {
   fixrad::Scene result = {};
   result.vertices = kVertices;
   result.corners = kCorners;
@@ -181,7 +181,7 @@ inline fixrad::Scene scene() {
   return result;
 }
 
-inline fixrad::VertexMap vertex_map() {
+static inline fixrad::VertexMap vertex_map() {
   fixrad::VertexMap result = {};
   result.vertices = kMeshVertices;
   result.elements = kMeshVertexElements;
@@ -189,7 +189,7 @@ inline fixrad::VertexMap vertex_map() {
   return result;
 }
 
-inline fixrad::Settings settings() {
+static inline fixrad::Settings settings() {
   fixrad::Settings result = {};
   result.engine = fixrad::lune_rows;
   result.table = &fixrad::kLune16;
@@ -211,11 +211,11 @@ constexpr uint64_t kDigest = 0xdb21712703b0641cull;
 constexpr uint32_t kShots = 104u;
 constexpr uint32_t kEyes = 451u;
 // A line a channel: emitted, absorbed, unshot, escaped, back; units of flux.
-inline constexpr FIXRAD_FLASH int64_t kLedger[][5] = {
+constexpr FIXRAD_IN_FLASH int64_t kLedger[][5] = {
     {531502176, 531359193, 142983, 0, 0},
 };
 // [element][channel], units of flux.
-inline constexpr FIXRAD_FLASH int32_t kReceived[] = {
+constexpr FIXRAD_IN_FLASH int32_t kReceived[] = {
     11295437, 11036820, 11145840, 10809439, 10861880, 11148802, 11146636, 11019420, 11257331, 11331342,
     11247626, 11073529, 10716833, 10969743, 11074907, 10763719, 10691422, 11009838, 11223606, 10767960,
     10779346, 11328996, 11288775, 11062917, 10745950, 11314637, 11374909, 11034268, 10647203, 11207317,

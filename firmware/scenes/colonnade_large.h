@@ -12,7 +12,7 @@
 
 namespace colonnade_large {
 
-inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Vertex kVertices[] = {
     {8, 5464, 8}, {8, 5464, 8192}, {8, 8, 8192}, {8, 8, 8}, {16375, 8, 8192}, {16375, 5464, 8192},
     {16375, 5464, 8}, {16375, 8, 8}, {15011, 4100, 8}, {15011, 2054, 8}, {1372, 4100, 8}, {1372, 2054, 8},
     {1031, 8, 2054}, {1031, 8, 2736}, {1031, 5464, 2736}, {1031, 5464, 2054}, {1713, 8, 2054},
@@ -36,7 +36,7 @@ inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
     {14670, 5464, 6146}, {14670, 5464, 5464}, {15352, 8, 5464}, {15352, 5464, 5464}, {15352, 5464, 6146},
     {15352, 8, 6146},
 };
-inline constexpr FIXRAD_FLASH uint16_t kCorners[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kCorners[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 2, 4, 7, 3, 6, 5, 1, 0, 1, 5, 4, 2, 7, 6, 8, 9, 6, 0, 10, 8, 0, 3, 11, 10, 3, 7,
     9, 11, 9, 8, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 12, 15, 17, 16, 13, 19, 18, 14, 20, 21, 22, 23, 24,
     25, 26, 27, 20, 23, 25, 24, 21, 27, 26, 22, 28, 29, 30, 31, 32, 33, 34, 35, 28, 31, 33, 32, 29, 35, 34,
@@ -47,7 +47,7 @@ inline constexpr FIXRAD_FLASH uint16_t kCorners[] = {
     91, 84, 87, 89, 88, 85, 91, 90, 86, 92, 93, 94, 95, 96, 97, 98, 99, 92, 95, 97, 96, 93, 99, 98, 94, 100,
     101, 102, 103, 104, 105, 106, 107, 100, 103, 105, 104, 101, 107, 106, 102,
 };
-inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Face kFaces[] = {
     {0, 0, 0, 4, 8, 5, {16384, 0, 0}, {0, 0, 16384}, {8, 5464, 8}, {0, 0, 8184}, {0, -5456, 0}, 8930381u},
     {4, 0, 5, 4, 5, 8, {-16384, 0, 0}, {0, 16384, 0}, {16375, 8, 8192}, {0, 5456, 0}, {0, 0, -8184}, 8930381u},
     {8, 0, 13, 4, 16, 8, {0, 16384, 0}, {16384, 0, 0}, {8, 8, 8192}, {16367, 0, 0}, {0, 0, -8184}, 8371721u},
@@ -107,7 +107,7 @@ inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
     {224, 2, 199, 4, 5, 1, {0, 0, -16384}, {0, 16384, 0}, {14670, 8, 5464}, {0, 5456, 0}, {682, 0, 0}, 5953587u},
     {228, 2, 200, 4, 1, 5, {0, 0, 16384}, {16384, 0, 0}, {14670, 8, 6146}, {682, 0, 0}, {0, 5456, 0}, 5953587u},
 };
-inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
+constexpr FIXRAD_IN_FLASH fixrad::CellRow kCellRows[] = {
     {0, 0, 7}, {8, 0, 7}, {16, 0, 7}, {24, 0, 7}, {32, 0, 7}, {40, 0, 4}, {45, 0, 4}, {50, 0, 4}, {55, 0, 4},
     {60, 0, 4}, {65, 0, 4}, {70, 0, 4}, {75, 0, 4}, {80, 0, 15}, {96, 0, 15}, {112, 0, 15}, {128, 0, 15},
     {144, 0, 15}, {160, 0, 15}, {176, 0, 15}, {192, 0, 15}, {208, 0, 7}, {216, 0, 7}, {224, 0, 7},
@@ -135,7 +135,7 @@ inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
     {718, 0, 0}, {719, 0, 0}, {720, 0, 0}, {721, 0, 0}, {722, 0, 0}, {723, 0, 0}, {724, 0, 0}, {725, 0, 4},
     {730, 0, 4}, {735, 0, 0}, {736, 0, 0}, {737, 0, 0}, {738, 0, 0}, {739, 0, 0},
 };
-inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Element kElements[] = {
     {8930381u, {34, 19674, 2078}, 0, 0, 0}, {8930381u, {34, 19674, 6170}, 1, 0, 0},
     {8930381u, {34, 19674, 10262}, 2, 0, 0}, {8930381u, {34, 19674, 14354}, 3, 0, 0},
     {8930381u, {34, 19674, 18446}, 4, 0, 0}, {8930381u, {34, 19674, 22538}, 5, 0, 0},
@@ -507,7 +507,7 @@ inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
     {5953587u, {60044, 6579, 24586}, 736, 57, 2}, {5953587u, {60044, 10944, 24586}, 737, 57, 2},
     {5953587u, {60044, 15309, 24586}, 738, 57, 2}, {5953587u, {60044, 19674, 24586}, 739, 57, 2},
 };
-inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Patch kPatches[] = {
     {{34, 19674, 2078}, 0, 0, 1}, {{34, 19674, 6170}, 0, 1, 1}, {{34, 19674, 10262}, 0, 2, 1},
     {{34, 19674, 14354}, 0, 3, 1}, {{34, 19674, 18446}, 0, 4, 1}, {{34, 19674, 22538}, 0, 5, 1},
     {{34, 19674, 26630}, 0, 6, 1}, {{34, 19674, 30722}, 0, 7, 1}, {{34, 15309, 2078}, 0, 8, 1},
@@ -792,7 +792,7 @@ inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
     {{60044, 10944, 24586}, 57, 737, 1}, {{60044, 15309, 24586}, 57, 738, 1},
     {{60044, 19674, 24586}, 57, 739, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kPatchElements[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28,
     29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54,
     55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80,
@@ -829,12 +829,12 @@ inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
     715, 716, 717, 718, 719, 720, 721, 722, 723, 724, 725, 726, 727, 728, 729, 730, 731, 732, 733, 734, 735,
     736, 737, 738, 739,
 };
-inline constexpr FIXRAD_FLASH fixrad::Material kMaterials[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Material kMaterials[] = {
     {{3006477107u, 3006477107u, 3006477107u}, {0u, 0u, 0u}},
     {{429496730u, 429496730u, 429496730u}, {3067665761u, 3067665761u, 3067665761u}},
     {{2576980378u, 2576980378u, 2576980378u}, {0u, 0u, 0u}},
 };
-inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {0u, 2u, 1}, {1u, 2u, 2}, {3u, 4294967295u, 4}, {7u, 2u, 2}, {9u, 5u, 2}, {11u, 4294967295u, 4},
     {15u, 7u, 2}, {17u, 4294967295u, 4}, {21u, 9u, 2}, {23u, 4294967295u, 4}, {27u, 11u, 2},
     {29u, 4294967295u, 4}, {33u, 13u, 2}, {35u, 4294967295u, 4}, {39u, 15u, 2}, {41u, 4294967295u, 4},
@@ -1127,7 +1127,7 @@ inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {2956u, 4294967295u, 2}, {2958u, 4294967295u, 2}, {2960u, 4294967295u, 2}, {2962u, 4294967295u, 2},
     {2964u, 4294967295u, 2}, {2966u, 4294967295u, 2}, {2968u, 4294967295u, 1}, {2969u, 4294967295u, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kMeshVertexElements[] = {
     0, 0, 1, 0, 1, 8, 9, 0, 8, 1, 2, 1, 2, 9, 10, 2, 3, 2, 3, 10, 11, 3, 4, 3, 4, 11, 12, 4, 5, 4, 5, 12, 13,
     5, 6, 5, 6, 13, 14, 6, 7, 6, 7, 14, 15, 7, 7, 15, 8, 9, 16, 17, 8, 16, 9, 10, 17, 18, 10, 11, 18, 19, 11,
     12, 19, 20, 12, 13, 20, 21, 13, 14, 21, 22, 14, 15, 22, 23, 15, 23, 16, 17, 24, 25, 16, 24, 17, 18, 25,
@@ -1268,7 +1268,7 @@ inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
     738, 738, 739, 738, 739, 739, 739,
 };
 
-inline fixrad::Scene scene() {
+static inline fixrad::Scene scene() {
   fixrad::Scene result = {};
   result.vertices = kVertices;
   result.corners = kCorners;
@@ -1291,7 +1291,7 @@ inline fixrad::Scene scene() {
   return result;
 }
 
-inline fixrad::VertexMap vertex_map() {
+static inline fixrad::VertexMap vertex_map() {
   fixrad::VertexMap result = {};
   result.vertices = kMeshVertices;
   result.elements = kMeshVertexElements;
@@ -1299,7 +1299,7 @@ inline fixrad::VertexMap vertex_map() {
   return result;
 }
 
-inline fixrad::Settings settings() {
+static inline fixrad::Settings settings() {
   fixrad::Settings result = {};
   result.engine = fixrad::lune_rows;
   result.table = &fixrad::kLune32;
@@ -1321,11 +1321,11 @@ constexpr uint64_t kDigest = 0xc11d4242b7dc570eull;
 constexpr uint32_t kShots = 2002u;
 constexpr uint32_t kEyes = 2346u;
 // A line a channel: emitted, absorbed, unshot, escaped, back; units of flux.
-inline constexpr FIXRAD_FLASH int64_t kLedger[][5] = {
+constexpr FIXRAD_IN_FLASH int64_t kLedger[][5] = {
     {318901324, 318752319, 121340, 0, 27665},
 };
 // [element][channel], units of flux.
-inline constexpr FIXRAD_FLASH int32_t kReceived[] = {
+constexpr FIXRAD_IN_FLASH int32_t kReceived[] = {
     1324823, 1807699, 1391593, 948284, 923480, 852959, 625626, 533628, 1761516, 2225280, 1682168, 1078307,
     1046739, 922619, 693147, 581768, 1741557, 2344638, 1684340, 1104143, 1049894, 951120, 715616, 627181,
     1490759, 1979595, 1550627, 1037581, 991973, 912989, 713039, 611150, 1097714, 1557923, 1240191, 881444,

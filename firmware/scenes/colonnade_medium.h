@@ -12,7 +12,7 @@
 
 namespace colonnade_medium {
 
-inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Vertex kVertices[] = {
     {8, 5464, 8}, {8, 5464, 8192}, {8, 8, 8192}, {8, 8, 8}, {16375, 8, 8192}, {16375, 5464, 8192},
     {16375, 5464, 8}, {16375, 8, 8}, {15011, 4100, 8}, {15011, 2054, 8}, {1372, 4100, 8}, {1372, 2054, 8},
     {1031, 8, 2054}, {1031, 8, 2736}, {1031, 5464, 2736}, {1031, 5464, 2054}, {1713, 8, 2054},
@@ -36,7 +36,7 @@ inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
     {14670, 5464, 6146}, {14670, 5464, 5464}, {15352, 8, 5464}, {15352, 5464, 5464}, {15352, 5464, 6146},
     {15352, 8, 6146},
 };
-inline constexpr FIXRAD_FLASH uint16_t kCorners[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kCorners[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 2, 4, 7, 3, 6, 5, 1, 0, 1, 5, 4, 2, 7, 6, 8, 9, 6, 0, 10, 8, 0, 3, 11, 10, 3, 7,
     9, 11, 9, 8, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 12, 15, 17, 16, 13, 19, 18, 14, 20, 21, 22, 23, 24,
     25, 26, 27, 20, 23, 25, 24, 21, 27, 26, 22, 28, 29, 30, 31, 32, 33, 34, 35, 28, 31, 33, 32, 29, 35, 34,
@@ -47,7 +47,7 @@ inline constexpr FIXRAD_FLASH uint16_t kCorners[] = {
     91, 84, 87, 89, 88, 85, 91, 90, 86, 92, 93, 94, 95, 96, 97, 98, 99, 92, 95, 97, 96, 93, 99, 98, 94, 100,
     101, 102, 103, 104, 105, 106, 107, 100, 103, 105, 104, 101, 107, 106, 102,
 };
-inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Face kFaces[] = {
     {0, 0, 0, 4, 7, 4, {16384, 0, 0}, {0, 0, 16384}, {8, 5464, 8}, {0, 0, 8184}, {0, -5456, 0}, 12757687u},
     {4, 0, 4, 4, 4, 7, {-16384, 0, 0}, {0, 16384, 0}, {16375, 8, 8192}, {0, 5456, 0}, {0, 0, -8184}, 12757687u},
     {8, 0, 11, 4, 13, 7, {0, 16384, 0}, {16384, 0, 0}, {8, 8, 8192}, {16367, 0, 0}, {0, 0, -8184}, 11775607u},
@@ -107,7 +107,7 @@ inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
     {224, 2, 166, 4, 4, 1, {0, 0, -16384}, {0, 16384, 0}, {14670, 8, 5464}, {0, 5456, 0}, {682, 0, 0}, 7441984u},
     {228, 2, 167, 4, 1, 4, {0, 0, 16384}, {16384, 0, 0}, {14670, 8, 6146}, {682, 0, 0}, {0, 5456, 0}, 7441984u},
 };
-inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
+constexpr FIXRAD_IN_FLASH fixrad::CellRow kCellRows[] = {
     {0, 0, 6}, {7, 0, 6}, {14, 0, 6}, {21, 0, 6}, {28, 0, 3}, {32, 0, 3}, {36, 0, 3}, {40, 0, 3}, {44, 0, 3},
     {48, 0, 3}, {52, 0, 3}, {56, 0, 12}, {69, 0, 12}, {82, 0, 12}, {95, 0, 12}, {108, 0, 12}, {121, 0, 12},
     {134, 0, 12}, {147, 0, 6}, {154, 0, 6}, {161, 0, 6}, {168, 0, 6}, {175, 0, 6}, {182, 0, 6}, {189, 0, 6},
@@ -131,7 +131,7 @@ inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
     {532, 0, 0}, {533, 0, 0}, {534, 0, 0}, {535, 0, 0}, {536, 0, 0}, {537, 0, 3}, {541, 0, 3}, {545, 0, 0},
     {546, 0, 0}, {547, 0, 0}, {548, 0, 0},
 };
-inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Element kElements[] = {
     {12757687u, {34, 19128, 2370}, 0, 0, 0}, {12757687u, {34, 19128, 7047}, 1, 0, 0},
     {12757687u, {34, 19128, 11723}, 2, 0, 0}, {12757687u, {34, 19128, 16400}, 3, 0, 0},
     {12757687u, {34, 19128, 21077}, 4, 0, 0}, {12757687u, {34, 19128, 25753}, 5, 0, 0},
@@ -408,7 +408,7 @@ inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
     {7441984u, {60044, 8216, 24586}, 546, 57, 2}, {7441984u, {60044, 13672, 24586}, 547, 57, 2},
     {7441984u, {60044, 19128, 24586}, 548, 57, 2},
 };
-inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Patch kPatches[] = {
     {{34, 19128, 2370}, 0, 0, 1}, {{34, 19128, 7047}, 0, 1, 1}, {{34, 19128, 11723}, 0, 2, 1},
     {{34, 19128, 16400}, 0, 3, 1}, {{34, 19128, 21077}, 0, 4, 1}, {{34, 19128, 25753}, 0, 5, 1},
     {{34, 19128, 30430}, 0, 6, 1}, {{34, 13672, 2370}, 0, 7, 1}, {{34, 13672, 7047}, 0, 8, 1},
@@ -620,7 +620,7 @@ inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
     {{60044, 8216, 24586}, 57, 546, 1}, {{60044, 13672, 24586}, 57, 547, 1},
     {{60044, 19128, 24586}, 57, 548, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kPatchElements[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28,
     29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54,
     55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80,
@@ -648,12 +648,12 @@ inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
     526, 527, 528, 529, 530, 531, 532, 533, 534, 535, 536, 537, 538, 539, 540, 541, 542, 543, 544, 545, 546,
     547, 548,
 };
-inline constexpr FIXRAD_FLASH fixrad::Material kMaterials[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Material kMaterials[] = {
     {{3006477107u, 3006477107u, 3006477107u}, {0u, 0u, 0u}},
     {{429496730u, 429496730u, 429496730u}, {3067665761u, 3067665761u, 3067665761u}},
     {{2576980378u, 2576980378u, 2576980378u}, {0u, 0u, 0u}},
 };
-inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {0u, 2u, 1}, {1u, 2u, 2}, {3u, 4294967295u, 4}, {7u, 2u, 2}, {9u, 5u, 2}, {11u, 4294967295u, 4},
     {15u, 7u, 2}, {17u, 4294967295u, 4}, {21u, 9u, 2}, {23u, 4294967295u, 4}, {27u, 11u, 2},
     {29u, 4294967295u, 4}, {33u, 13u, 2}, {35u, 4294967295u, 4}, {39u, 13u, 1}, {40u, 13u, 2},
@@ -883,7 +883,7 @@ inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {2194u, 4294967295u, 2}, {2196u, 4294967295u, 2}, {2198u, 4294967295u, 2}, {2200u, 4294967295u, 1},
     {2201u, 4294967295u, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kMeshVertexElements[] = {
     0, 0, 1, 0, 1, 7, 8, 0, 7, 1, 2, 1, 2, 8, 9, 2, 3, 2, 3, 9, 10, 3, 4, 3, 4, 10, 11, 4, 5, 4, 5, 11, 12, 5,
     6, 5, 6, 12, 13, 6, 6, 13, 7, 8, 14, 15, 7, 14, 8, 9, 15, 16, 9, 10, 16, 17, 10, 11, 17, 18, 11, 12, 18,
     19, 12, 13, 19, 20, 13, 20, 14, 15, 21, 22, 14, 21, 15, 16, 22, 23, 16, 17, 23, 24, 17, 18, 24, 25, 18,
@@ -987,7 +987,7 @@ inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
     544, 545, 545, 545, 546, 545, 546, 546, 547, 546, 547, 547, 548, 547, 548, 548, 548,
 };
 
-inline fixrad::Scene scene() {
+static inline fixrad::Scene scene() {
   fixrad::Scene result = {};
   result.vertices = kVertices;
   result.corners = kCorners;
@@ -1010,7 +1010,7 @@ inline fixrad::Scene scene() {
   return result;
 }
 
-inline fixrad::VertexMap vertex_map() {
+static inline fixrad::VertexMap vertex_map() {
   fixrad::VertexMap result = {};
   result.vertices = kMeshVertices;
   result.elements = kMeshVertexElements;
@@ -1018,7 +1018,7 @@ inline fixrad::VertexMap vertex_map() {
   return result;
 }
 
-inline fixrad::Settings settings() {
+static inline fixrad::Settings settings() {
   fixrad::Settings result = {};
   result.engine = fixrad::lune_rows;
   result.table = &fixrad::kLune32;
@@ -1040,11 +1040,11 @@ constexpr uint64_t kDigest = 0xc8564d7b64de67f4ull;
 constexpr uint32_t kShots = 1494u;
 constexpr uint32_t kEyes = 1736u;
 // A line a channel: emitted, absorbed, unshot, escaped, back; units of flux.
-inline constexpr FIXRAD_FLASH int64_t kLedger[][5] = {
+constexpr FIXRAD_IN_FLASH int64_t kLedger[][5] = {
     {318901308, 318791140, 83564, 0, 26604},
 };
 // [element][channel], units of flux.
-inline constexpr FIXRAD_FLASH int32_t kReceived[] = {
+constexpr FIXRAD_IN_FLASH int32_t kReceived[] = {
     2094238, 2657794, 1721797, 1387050, 1268912, 994107, 767004, 2696569, 3229888, 1949893, 1603217, 1399917,
     1117136, 903841, 2417504, 3021464, 1897153, 1554375, 1408814, 1099866, 858448, 1750246, 2249827, 1523863,
     1358885, 1264621, 979204, 791061, 788536, 891423, 897963, 759859, 970917, 1110406, 1073619, 990244,

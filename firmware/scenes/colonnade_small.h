@@ -12,7 +12,7 @@
 
 namespace colonnade_small {
 
-inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Vertex kVertices[] = {
     {8, 5464, 8}, {8, 5464, 8192}, {8, 8, 8192}, {8, 8, 8}, {16375, 8, 8192}, {16375, 5464, 8192},
     {16375, 5464, 8}, {16375, 8, 8}, {15011, 4100, 8}, {15011, 2054, 8}, {1372, 4100, 8}, {1372, 2054, 8},
     {1031, 8, 2054}, {1031, 8, 2736}, {1031, 5464, 2736}, {1031, 5464, 2054}, {1713, 8, 2054},
@@ -36,7 +36,7 @@ inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
     {14670, 5464, 6146}, {14670, 5464, 5464}, {15352, 8, 5464}, {15352, 5464, 5464}, {15352, 5464, 6146},
     {15352, 8, 6146},
 };
-inline constexpr FIXRAD_FLASH uint16_t kCorners[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kCorners[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 2, 4, 7, 3, 6, 5, 1, 0, 1, 5, 4, 2, 7, 6, 8, 9, 6, 0, 10, 8, 0, 3, 11, 10, 3, 7,
     9, 11, 9, 8, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 12, 15, 17, 16, 13, 19, 18, 14, 20, 21, 22, 23, 24,
     25, 26, 27, 20, 23, 25, 24, 21, 27, 26, 22, 28, 29, 30, 31, 32, 33, 34, 35, 28, 31, 33, 32, 29, 35, 34,
@@ -47,7 +47,7 @@ inline constexpr FIXRAD_FLASH uint16_t kCorners[] = {
     91, 84, 87, 89, 88, 85, 91, 90, 86, 92, 93, 94, 95, 96, 97, 98, 99, 92, 95, 97, 96, 93, 99, 98, 94, 100,
     101, 102, 103, 104, 105, 106, 107, 100, 103, 105, 104, 101, 107, 106, 102,
 };
-inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Face kFaces[] = {
     {0, 0, 0, 4, 5, 3, {16384, 0, 0}, {0, 0, 16384}, {8, 5464, 8}, {0, 0, 8184}, {0, -5456, 0}, 23814349u},
     {4, 0, 3, 4, 3, 5, {-16384, 0, 0}, {0, 16384, 0}, {16375, 8, 8192}, {0, 5456, 0}, {0, 0, -8184}, 23814349u},
     {8, 0, 8, 4, 10, 5, {0, 16384, 0}, {16384, 0, 0}, {8, 8, 8192}, {16367, 0, 0}, {0, 0, -8184}, 21431604u},
@@ -107,7 +107,7 @@ inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
     {224, 2, 131, 4, 3, 1, {0, 0, -16384}, {0, 16384, 0}, {14670, 8, 5464}, {0, 5456, 0}, {682, 0, 0}, 9922645u},
     {228, 2, 132, 4, 1, 3, {0, 0, 16384}, {16384, 0, 0}, {14670, 8, 6146}, {682, 0, 0}, {0, 5456, 0}, 9922645u},
 };
-inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
+constexpr FIXRAD_IN_FLASH fixrad::CellRow kCellRows[] = {
     {0, 0, 4}, {5, 0, 4}, {10, 0, 4}, {15, 0, 2}, {18, 0, 2}, {21, 0, 2}, {24, 0, 2}, {27, 0, 2}, {30, 0, 9},
     {40, 0, 9}, {50, 0, 9}, {60, 0, 9}, {70, 0, 9}, {80, 0, 4}, {85, 0, 4}, {90, 0, 4}, {95, 0, 4},
     {100, 0, 4}, {105, 0, 4}, {110, 0, 4}, {115, 0, 4}, {120, 0, 4}, {125, 0, 4}, {130, 0, 9}, {140, 0, 9},
@@ -126,7 +126,7 @@ inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
     {326, 0, 0}, {327, 0, 2}, {330, 0, 2}, {333, 0, 0}, {334, 0, 0}, {335, 0, 0}, {336, 0, 0}, {337, 0, 0},
     {338, 0, 0}, {339, 0, 2}, {342, 0, 2}, {345, 0, 0}, {346, 0, 0}, {347, 0, 0},
 };
-inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Element kElements[] = {
     {23814349u, {34, 18219, 3306}, 0, 0, 0}, {23814349u, {34, 18219, 9853}, 0, 0, 0},
     {23814349u, {34, 18219, 16400}, 1, 0, 0}, {23814349u, {34, 18219, 22947}, 1, 0, 0},
     {23814349u, {34, 18219, 29494}, 2, 0, 0}, {23814349u, {34, 10944, 3306}, 3, 0, 0},
@@ -302,7 +302,7 @@ inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
     {9922645u, {60044, 18219, 21854}, 228, 56, 2}, {9922645u, {60044, 3669, 24586}, 229, 57, 2},
     {9922645u, {60044, 10944, 24586}, 230, 57, 2}, {9922645u, {60044, 18219, 24586}, 231, 57, 2},
 };
-inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Patch kPatches[] = {
     {{34, 18219, 6579}, 0, 0, 2}, {{34, 18219, 19674}, 0, 2, 2}, {{34, 18219, 29494}, 0, 4, 1},
     {{34, 10944, 6579}, 0, 5, 2}, {{34, 10944, 19674}, 0, 7, 2}, {{34, 10944, 29494}, 0, 9, 1},
     {{34, 3669, 6579}, 0, 10, 2}, {{34, 3669, 19674}, 0, 12, 2}, {{34, 3669, 29494}, 0, 14, 1},
@@ -394,7 +394,7 @@ inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
     {{60044, 3669, 24586}, 57, 345, 1}, {{60044, 10944, 24586}, 57, 346, 1},
     {{60044, 18219, 24586}, 57, 347, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kPatchElements[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28,
     29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54,
     55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80,
@@ -412,12 +412,12 @@ inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
     316, 317, 318, 319, 320, 321, 322, 323, 324, 325, 326, 327, 328, 329, 330, 331, 332, 333, 334, 335, 336,
     337, 338, 339, 340, 341, 342, 343, 344, 345, 346, 347,
 };
-inline constexpr FIXRAD_FLASH fixrad::Material kMaterials[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Material kMaterials[] = {
     {{3006477107u, 3006477107u, 3006477107u}, {0u, 0u, 0u}},
     {{429496730u, 429496730u, 429496730u}, {3067665761u, 3067665761u, 3067665761u}},
     {{2576980378u, 2576980378u, 2576980378u}, {0u, 0u, 0u}},
 };
-inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {0u, 2u, 1}, {1u, 2u, 2}, {3u, 4294967295u, 4}, {7u, 2u, 2}, {9u, 5u, 2}, {11u, 4294967295u, 4},
     {15u, 7u, 2}, {17u, 4294967295u, 4}, {21u, 9u, 2}, {23u, 4294967295u, 4}, {27u, 9u, 1}, {28u, 9u, 2},
     {30u, 4294967295u, 4}, {34u, 12u, 2}, {36u, 4294967295u, 4}, {40u, 4294967295u, 4}, {44u, 4294967295u, 4},
@@ -579,7 +579,7 @@ inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {1386u, 4294967295u, 2}, {1388u, 4294967295u, 2}, {1390u, 4294967295u, 2}, {1392u, 4294967295u, 1},
     {1393u, 4294967295u, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kMeshVertexElements[] = {
     0, 0, 1, 0, 1, 5, 6, 0, 5, 1, 2, 1, 2, 6, 7, 2, 3, 2, 3, 7, 8, 3, 4, 3, 4, 8, 9, 4, 4, 9, 5, 6, 10, 11, 5,
     10, 6, 7, 11, 12, 7, 8, 12, 13, 8, 9, 13, 14, 9, 14, 10, 11, 10, 11, 12, 12, 13, 13, 14, 14, 15, 15, 16,
     15, 16, 18, 19, 15, 18, 16, 17, 16, 17, 19, 20, 17, 17, 20, 18, 19, 21, 22, 18, 21, 19, 20, 22, 23, 20,
@@ -645,7 +645,7 @@ inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
     346, 347, 346, 347, 347, 347,
 };
 
-inline fixrad::Scene scene() {
+static inline fixrad::Scene scene() {
   fixrad::Scene result = {};
   result.vertices = kVertices;
   result.corners = kCorners;
@@ -668,7 +668,7 @@ inline fixrad::Scene scene() {
   return result;
 }
 
-inline fixrad::VertexMap vertex_map() {
+static inline fixrad::VertexMap vertex_map() {
   fixrad::VertexMap result = {};
   result.vertices = kMeshVertices;
   result.elements = kMeshVertexElements;
@@ -676,7 +676,7 @@ inline fixrad::VertexMap vertex_map() {
   return result;
 }
 
-inline fixrad::Settings settings() {
+static inline fixrad::Settings settings() {
   fixrad::Settings result = {};
   result.engine = fixrad::lune_rows;
   result.table = &fixrad::kLune16;
@@ -698,11 +698,11 @@ constexpr uint64_t kDigest = 0x4a138bda50479a1full;
 constexpr uint32_t kShots = 591u;
 constexpr uint32_t kEyes = 1029u;
 // A line a channel: emitted, absorbed, unshot, escaped, back; units of flux.
-inline constexpr FIXRAD_FLASH int64_t kLedger[][5] = {
+constexpr FIXRAD_IN_FLASH int64_t kLedger[][5] = {
     {318901302, 318779031, 91975, 0, 30296},
 };
 // [element][channel], units of flux.
-inline constexpr FIXRAD_FLASH int32_t kReceived[] = {
+constexpr FIXRAD_IN_FLASH int32_t kReceived[] = {
     4479470, 4206748, 2674711, 2284525, 1532223, 5235969, 4670632, 2945371, 2389985, 1725567, 3491662,
     3762996, 2600458, 2255025, 1443067, 1481750, 1703879, 1555186, 2198192, 2508750, 2221468, 2626169,
     2970241, 2730000, 3743308, 4614565, 4184392, 3804832, 5291311, 4261493, 1321501, 1969702, 1928040,

@@ -12,7 +12,7 @@
 
 namespace cornell_grey_large {
 
-inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Vertex kVertices[] = {
     {16188, 8, 8}, {8, 8, 8}, {8, 8, 16375}, {16094, 8, 16375}, {10047, 16071, 6652}, {10047, 16071, 9725},
     {6242, 16071, 9725}, {6242, 16071, 6652}, {16281, 16071, 8}, {16281, 16071, 16375}, {8, 16071, 16375},
     {8, 16071, 8}, {3813, 4837, 1910}, {2408, 4837, 6593}, {7032, 4837, 7969}, {8496, 4837, 3345},
@@ -20,12 +20,12 @@ inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
     {7764, 9667, 8672}, {9198, 9667, 13354}, {13823, 9667, 11891}, {12389, 8, 7237}, {13823, 8, 11891},
     {9198, 8, 13354}, {7764, 8, 8672},
 };
-inline constexpr FIXRAD_FLASH uint16_t kCorners[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kCorners[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 5, 4, 9, 10, 6, 5, 10, 11, 7, 6, 11, 8, 4, 7, 3, 2, 10, 9, 2, 1, 11, 10, 0,
     3, 9, 0, 9, 8, 12, 13, 14, 15, 16, 15, 14, 17, 18, 12, 15, 16, 19, 13, 12, 18, 17, 14, 13, 19, 20, 21, 22,
     23, 24, 20, 23, 25, 25, 23, 22, 26, 26, 22, 21, 27, 27, 21, 20, 24,
 };
-inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Face kFaces[] = {
     {0, 0, 0, 4, 12, 11, {0, 16384, 0}, {95, 0, -16384}, {16093, 8, 16467}, {95, 0, -16459}, {-16179, 0, -93}, 16139333u},
     {4, 1, 11, 4, 2, 3, {0, -16384, 0}, {0, 0, 16384}, {10047, 16071, 6652}, {0, 0, 3073}, {-3805, 0, 0}, 15590353u},
     {8, 0, 14, 4, 11, 4, {0, -16384, 0}, {0, 0, 16384}, {16281, 16071, 8}, {0, 0, 16367}, {-6234, 0, 0}, 18551251u},
@@ -47,7 +47,7 @@ inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
     {70, 0, 101, 4, 7, 3, {-15666, 0, 4798}, {0, 16384, 0}, {9198, 8, 13354}, {0, 9659, 0}, {-1434, 0, -4682}, 18017919u},
     {74, 0, 104, 4, 7, 3, {-4855, 0, -15648}, {0, 16384, 0}, {7764, 8, 8672}, {0, 9659, 0}, {4625, 0, -1435}, 17818572u},
 };
-inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
+constexpr FIXRAD_IN_FLASH fixrad::CellRow kCellRows[] = {
     {0, 0, 11}, {12, 0, 11}, {24, 0, 11}, {36, 0, 11}, {48, 0, 11}, {60, 0, 11}, {72, 0, 11}, {84, 0, 11},
     {96, 0, 11}, {108, 0, 11}, {120, 0, 11}, {132, 0, 1}, {134, 0, 1}, {136, 0, 1}, {138, 0, 10}, {149, 1, 9},
     {158, 2, 8}, {165, 4, 6}, {168, 0, 10}, {179, 1, 9}, {188, 2, 8}, {195, 3, 7}, {200, 3, 7}, {205, 0, 10},
@@ -63,7 +63,7 @@ inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
     {698, 0, 2}, {701, 0, 2}, {704, 0, 6}, {711, 0, 6}, {718, 0, 6}, {725, 0, 6}, {732, 0, 6}, {739, 0, 6},
     {746, 0, 6}, {753, 0, 6}, {760, 0, 6}, {767, 0, 6}, {774, 0, 6}, {781, 0, 6},
 };
-inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Element kElements[] = {
     {15111130u, {61445, 34, 62932}, 0, 0, 0}, {16143861u, {61479, 34, 57622}, 1, 0, 0},
     {16143430u, {61510, 34, 52135}, 2, 0, 0}, {16142999u, {61542, 34, 46649}, 3, 0, 0},
     {16142567u, {61573, 34, 41163}, 4, 0, 0}, {16142136u, {61605, 34, 35676}, 5, 0, 0},
@@ -459,7 +459,7 @@ inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
     {17818572u, {46472, 19350, 29903}, 784, 19, 0}, {17818572u, {46472, 24869, 29903}, 785, 19, 0},
     {17818572u, {46472, 30389, 29903}, 786, 19, 0}, {17818572u, {46472, 35908, 29903}, 787, 19, 0},
 };
-inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Patch kPatches[] = {
     {{61445, 34, 62932}, 0, 0, 1}, {{61479, 34, 57622}, 0, 1, 1}, {{61510, 34, 52135}, 0, 2, 1},
     {{61542, 34, 46649}, 0, 3, 1}, {{61573, 34, 41163}, 0, 4, 1}, {{61605, 34, 35676}, 0, 5, 1},
     {{61637, 34, 30190}, 0, 6, 1}, {{61668, 34, 24704}, 0, 7, 1}, {{61700, 34, 19217}, 0, 8, 1},
@@ -783,7 +783,7 @@ inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
     {{46472, 19350, 29903}, 19, 784, 1}, {{46472, 24869, 29903}, 19, 785, 1},
     {{46472, 30389, 29903}, 19, 786, 1}, {{46472, 35908, 29903}, 19, 787, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kPatchElements[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28,
     29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54,
     55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80,
@@ -822,13 +822,13 @@ inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
     757, 758, 759, 760, 761, 762, 763, 764, 765, 766, 767, 768, 769, 770, 771, 772, 773, 774, 775, 776, 777,
     778, 779, 780, 781, 782, 783, 784, 785, 786, 787,
 };
-inline constexpr FIXRAD_FLASH fixrad::Material kMaterials[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Material kMaterials[] = {
     {{3027951944u, 3027951944u, 3027951944u}, {0u, 0u, 0u}},
     {{0u, 0u, 0u}, {3599562693u, 3599562693u, 3599562693u}},
     {{974957576u, 974957576u, 974957576u}, {0u, 0u, 0u}},
     {{1065151889u, 1065151889u, 1065151889u}, {0u, 0u, 0u}},
 };
-inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {0u, 4294967295u, 4}, {4u, 0u, 2}, {6u, 0u, 1}, {7u, 0u, 2}, {9u, 4294967295u, 4}, {13u, 4u, 2},
     {15u, 4294967295u, 4}, {19u, 6u, 2}, {21u, 4294967295u, 4}, {25u, 8u, 2}, {27u, 4294967295u, 4},
     {31u, 10u, 2}, {33u, 4294967295u, 4}, {37u, 12u, 2}, {39u, 4294967295u, 4}, {43u, 14u, 2},
@@ -1066,7 +1066,7 @@ inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {3205u, 4294967295u, 4}, {3209u, 1028u, 2}, {3211u, 1022u, 2}, {3213u, 1022u, 1}, {3214u, 1024u, 2},
     {3216u, 1025u, 2}, {3218u, 1026u, 2}, {3220u, 1027u, 2}, {3222u, 1028u, 2}, {3224u, 1028u, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kMeshVertexElements[] = {
     0, 1, 12, 13, 0, 12, 0, 0, 1, 1, 2, 13, 14, 1, 2, 2, 3, 14, 15, 2, 3, 3, 4, 15, 16, 3, 4, 4, 5, 16, 17, 4,
     5, 5, 6, 17, 18, 5, 6, 6, 7, 18, 19, 6, 7, 7, 8, 19, 20, 7, 8, 8, 9, 20, 21, 8, 9, 9, 10, 21, 22, 9, 10,
     10, 11, 22, 23, 10, 11, 11, 11, 23, 12, 13, 24, 25, 12, 24, 13, 14, 25, 26, 14, 15, 26, 27, 15, 16, 27,
@@ -1219,7 +1219,7 @@ inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
     783, 783, 784, 784, 785, 785, 786, 786, 787, 787,
 };
 
-inline fixrad::Scene scene() {
+static inline fixrad::Scene scene() {
   fixrad::Scene result = {};
   result.vertices = kVertices;
   result.corners = kCorners;
@@ -1242,7 +1242,7 @@ inline fixrad::Scene scene() {
   return result;
 }
 
-inline fixrad::VertexMap vertex_map() {
+static inline fixrad::VertexMap vertex_map() {
   fixrad::VertexMap result = {};
   result.vertices = kMeshVertices;
   result.elements = kMeshVertexElements;
@@ -1250,7 +1250,7 @@ inline fixrad::VertexMap vertex_map() {
   return result;
 }
 
-inline fixrad::Settings settings() {
+static inline fixrad::Settings settings() {
   fixrad::Settings result = {};
   result.engine = fixrad::lune_rows;
   result.table = &fixrad::kLune32;
@@ -1272,11 +1272,11 @@ constexpr uint64_t kDigest = 0x6bc1bbd6518de118ull;
 constexpr uint32_t kShots = 1828u;
 constexpr uint32_t kEyes = 1923u;
 // A line a channel: emitted, absorbed, unshot, escaped, back; units of flux.
-inline constexpr FIXRAD_FLASH int64_t kLedger[][5] = {
+constexpr FIXRAD_IN_FLASH int64_t kLedger[][5] = {
     {313586292, 222677301, -164565, 91050190, 23366},
 };
 // [element][channel], units of flux.
-inline constexpr FIXRAD_FLASH int32_t kReceived[] = {
+constexpr FIXRAD_IN_FLASH int32_t kReceived[] = {
     97371, 141801, 128611, 144049, 98517, 94807, 155578, 424319, 575451, 566335, 520152, 475564, 117476,
     184630, 172267, 103517, 75718, 102594, 181786, 578119, 655766, 653898, 591043, 520676, 152193, 214341,
     184039, 7391, 429, 12703, 201956, 692394, 749662, 709718, 627566, 549982, 190024, 247062, 133336, 0, 0, 0,

@@ -12,7 +12,7 @@
 
 namespace cornell_grey_medium {
 
-inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Vertex kVertices[] = {
     {16188, 8, 8}, {8, 8, 8}, {8, 8, 16375}, {16094, 8, 16375}, {10047, 16071, 6652}, {10047, 16071, 9725},
     {6242, 16071, 9725}, {6242, 16071, 6652}, {16281, 16071, 8}, {16281, 16071, 16375}, {8, 16071, 16375},
     {8, 16071, 8}, {3813, 4837, 1910}, {2408, 4837, 6593}, {7032, 4837, 7969}, {8496, 4837, 3345},
@@ -20,12 +20,12 @@ inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
     {7764, 9667, 8672}, {9198, 9667, 13354}, {13823, 9667, 11891}, {12389, 8, 7237}, {13823, 8, 11891},
     {9198, 8, 13354}, {7764, 8, 8672},
 };
-inline constexpr FIXRAD_FLASH uint16_t kCorners[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kCorners[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 5, 4, 9, 10, 6, 5, 10, 11, 7, 6, 11, 8, 4, 7, 3, 2, 10, 9, 2, 1, 11, 10, 0,
     3, 9, 0, 9, 8, 12, 13, 14, 15, 16, 15, 14, 17, 18, 12, 15, 16, 19, 13, 12, 18, 17, 14, 13, 19, 20, 21, 22,
     23, 24, 20, 23, 25, 25, 23, 22, 26, 26, 22, 21, 27, 27, 21, 20, 24,
 };
-inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Face kFaces[] = {
     {0, 0, 0, 4, 9, 8, {0, 16384, 0}, {95, 0, -16384}, {16093, 8, 16467}, {95, 0, -16459}, {-16179, 0, -93}, 29588777u},
     {4, 1, 8, 4, 2, 2, {0, -16384, 0}, {0, 0, 16384}, {10047, 16071, 6652}, {0, 0, 3073}, {-3805, 0, 0}, 23385530u},
     {8, 0, 10, 4, 9, 3, {0, -16384, 0}, {0, 0, 16384}, {16281, 16071, 8}, {0, 0, 16367}, {-6234, 0, 0}, 30231668u},
@@ -47,7 +47,7 @@ inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
     {70, 0, 80, 4, 5, 3, {-15666, 0, 4798}, {0, 16384, 0}, {9198, 8, 13354}, {0, 9659, 0}, {-1434, 0, -4682}, 25225086u},
     {74, 0, 83, 4, 5, 3, {-4855, 0, -15648}, {0, 16384, 0}, {7764, 8, 8672}, {0, 9659, 0}, {4625, 0, -1435}, 24946001u},
 };
-inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
+constexpr FIXRAD_IN_FLASH fixrad::CellRow kCellRows[] = {
     {0, 0, 8}, {9, 0, 8}, {18, 0, 8}, {27, 0, 8}, {36, 0, 8}, {45, 0, 8}, {54, 0, 8}, {63, 0, 8}, {72, 0, 1},
     {74, 0, 1}, {76, 0, 8}, {85, 1, 7}, {92, 3, 5}, {95, 0, 8}, {104, 1, 7}, {111, 2, 6}, {116, 0, 8},
     {125, 1, 7}, {132, 3, 5}, {135, 0, 8}, {144, 1, 7}, {151, 2, 6}, {156, 0, 8}, {165, 0, 8}, {174, 0, 8},
@@ -60,7 +60,7 @@ inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
     {429, 0, 2}, {432, 0, 4}, {437, 0, 4}, {442, 0, 4}, {447, 0, 4}, {452, 0, 4}, {457, 0, 4}, {462, 0, 4},
     {467, 0, 4}, {472, 0, 4}, {477, 0, 4}, {482, 0, 4}, {487, 0, 4},
 };
-inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Element kElements[] = {
     {28200474u, {60346, 34, 62015}, 0, 0, 0}, {29594527u, {60391, 34, 54872}, 1, 0, 0},
     {29593761u, {60433, 34, 47557}, 2, 0, 0}, {29592994u, {60476, 34, 40242}, 3, 0, 0},
     {29592227u, {60518, 34, 32927}, 4, 0, 0}, {29591461u, {60560, 34, 25612}, 5, 0, 0},
@@ -308,7 +308,7 @@ inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
     {24946001u, {46472, 11623, 29903}, 488, 19, 0}, {24946001u, {46472, 19350, 29903}, 489, 19, 0},
     {24946001u, {46472, 27077, 29903}, 490, 19, 0}, {24946001u, {46472, 34804, 29903}, 491, 19, 0},
 };
-inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Patch kPatches[] = {
     {{60346, 34, 62015}, 0, 0, 1}, {{60391, 34, 54872}, 0, 1, 1}, {{60433, 34, 47557}, 0, 2, 1},
     {{60476, 34, 40242}, 0, 3, 1}, {{60518, 34, 32927}, 0, 4, 1}, {{60560, 34, 25612}, 0, 5, 1},
     {{60602, 34, 18297}, 0, 6, 1}, {{60644, 34, 10981}, 0, 7, 1}, {{60690, 34, 3678}, 0, 8, 1},
@@ -511,7 +511,7 @@ inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
     {{46472, 11623, 29903}, 19, 488, 1}, {{46472, 19350, 29903}, 19, 489, 1},
     {{46472, 27077, 29903}, 19, 490, 1}, {{46472, 34804, 29903}, 19, 491, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kPatchElements[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28,
     29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54,
     55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80,
@@ -536,13 +536,13 @@ inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
     463, 464, 465, 466, 467, 468, 469, 470, 471, 472, 473, 474, 475, 476, 477, 478, 479, 480, 481, 482, 483,
     484, 485, 486, 487, 488, 489, 490, 491,
 };
-inline constexpr FIXRAD_FLASH fixrad::Material kMaterials[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Material kMaterials[] = {
     {{3027951944u, 3027951944u, 3027951944u}, {0u, 0u, 0u}},
     {{0u, 0u, 0u}, {3599562693u, 3599562693u, 3599562693u}},
     {{974957576u, 974957576u, 974957576u}, {0u, 0u, 0u}},
     {{1065151889u, 1065151889u, 1065151889u}, {0u, 0u, 0u}},
 };
-inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {0u, 4294967295u, 4}, {4u, 0u, 2}, {6u, 0u, 1}, {7u, 0u, 2}, {9u, 4294967295u, 4}, {13u, 4u, 2},
     {15u, 4294967295u, 4}, {19u, 6u, 2}, {21u, 4294967295u, 4}, {25u, 8u, 2}, {27u, 4294967295u, 4},
     {31u, 10u, 2}, {33u, 4294967295u, 4}, {37u, 12u, 2}, {39u, 4294967295u, 4}, {43u, 14u, 2},
@@ -694,7 +694,7 @@ inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {1994u, 677u, 2}, {1996u, 677u, 1}, {1997u, 679u, 2}, {1999u, 680u, 2}, {2001u, 681u, 2},
     {2003u, 681u, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kMeshVertexElements[] = {
     0, 1, 9, 10, 0, 9, 0, 0, 1, 1, 2, 10, 11, 1, 2, 2, 3, 11, 12, 2, 3, 3, 4, 12, 13, 3, 4, 4, 5, 13, 14, 4,
     5, 5, 6, 14, 15, 5, 6, 6, 7, 15, 16, 6, 7, 7, 8, 16, 17, 7, 8, 8, 8, 17, 9, 10, 18, 19, 9, 18, 10, 11, 19,
     20, 11, 12, 20, 21, 12, 13, 21, 22, 13, 14, 22, 23, 14, 15, 23, 24, 15, 16, 24, 25, 16, 17, 25, 26, 17,
@@ -789,7 +789,7 @@ inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
     489, 489, 490, 490, 491, 491,
 };
 
-inline fixrad::Scene scene() {
+static inline fixrad::Scene scene() {
   fixrad::Scene result = {};
   result.vertices = kVertices;
   result.corners = kCorners;
@@ -812,7 +812,7 @@ inline fixrad::Scene scene() {
   return result;
 }
 
-inline fixrad::VertexMap vertex_map() {
+static inline fixrad::VertexMap vertex_map() {
   fixrad::VertexMap result = {};
   result.vertices = kMeshVertices;
   result.elements = kMeshVertexElements;
@@ -820,7 +820,7 @@ inline fixrad::VertexMap vertex_map() {
   return result;
 }
 
-inline fixrad::Settings settings() {
+static inline fixrad::Settings settings() {
   fixrad::Settings result = {};
   result.engine = fixrad::lune_rows;
   result.table = &fixrad::kLune32;
@@ -842,11 +842,11 @@ constexpr uint64_t kDigest = 0x2d6bc705b66625c1ull;
 constexpr uint32_t kShots = 1136u;
 constexpr uint32_t kEyes = 1210u;
 // A line a channel: emitted, absorbed, unshot, escaped, back; units of flux.
-inline constexpr FIXRAD_FLASH int64_t kLedger[][5] = {
+constexpr FIXRAD_IN_FLASH int64_t kLedger[][5] = {
     {313586296, 222596539, -160069, 91044151, 105675},
 };
 // [element][channel], units of flux.
-inline constexpr FIXRAD_FLASH int32_t kReceived[] = {
+constexpr FIXRAD_IN_FLASH int32_t kReceived[] = {
     205298, 270280, 251503, 172091, 192941, 741648, 1105049, 1066595, 931358, 269319, 362485, 139374, 59556,
     122586, 988470, 1283436, 1198883, 981317, 375685, 411745, 13371, 0, 223639, 1455177, 1430495, 1315818,
     1077428, 890135, 813231, 348872, 67506, 738360, 1717567, 1418220, 1074253, 965654, 1301801, 1491270,

@@ -12,7 +12,7 @@
 
 namespace cornell_grey_small {
 
-inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Vertex kVertices[] = {
     {16188, 8, 8}, {8, 8, 8}, {8, 8, 16375}, {16094, 8, 16375}, {10047, 16071, 6652}, {10047, 16071, 9725},
     {6242, 16071, 9725}, {6242, 16071, 6652}, {16281, 16071, 8}, {16281, 16071, 16375}, {8, 16071, 16375},
     {8, 16071, 8}, {3813, 4837, 1910}, {2408, 4837, 6593}, {7032, 4837, 7969}, {8496, 4837, 3345},
@@ -20,12 +20,12 @@ inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
     {7764, 9667, 8672}, {9198, 9667, 13354}, {13823, 9667, 11891}, {12389, 8, 7237}, {13823, 8, 11891},
     {9198, 8, 13354}, {7764, 8, 8672},
 };
-inline constexpr FIXRAD_FLASH uint16_t kCorners[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kCorners[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 5, 4, 9, 10, 6, 5, 10, 11, 7, 6, 11, 8, 4, 7, 3, 2, 10, 9, 2, 1, 11, 10, 0,
     3, 9, 0, 9, 8, 12, 13, 14, 15, 16, 15, 14, 17, 18, 12, 15, 16, 19, 13, 12, 18, 17, 14, 13, 19, 20, 21, 22,
     23, 24, 20, 23, 25, 25, 23, 22, 26, 26, 22, 21, 27, 27, 21, 20, 24,
 };
-inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Face kFaces[] = {
     {0, 0, 0, 4, 7, 6, {0, 16384, 0}, {95, 0, -16384}, {16093, 8, 16467}, {95, 0, -16459}, {-16179, 0, -93}, 50723618u},
     {4, 1, 6, 4, 2, 2, {0, -16384, 0}, {0, 0, 16384}, {10047, 16071, 6652}, {0, 0, 3073}, {-3805, 0, 0}, 23385530u},
     {8, 0, 8, 4, 7, 2, {0, -16384, 0}, {0, 0, 16384}, {16281, 16071, 8}, {0, 0, 16367}, {-6234, 0, 0}, 58303930u},
@@ -47,7 +47,7 @@ inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
     {70, 0, 60, 4, 4, 2, {-15666, 0, 4798}, {0, 16384, 0}, {9198, 8, 13354}, {0, 9659, 0}, {-1434, 0, -4682}, 47297037u},
     {74, 0, 62, 4, 4, 2, {-4855, 0, -15648}, {0, 16384, 0}, {7764, 8, 8672}, {0, 9659, 0}, {4625, 0, -1435}, 46773751u},
 };
-inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
+constexpr FIXRAD_IN_FLASH fixrad::CellRow kCellRows[] = {
     {0, 0, 6}, {7, 0, 6}, {14, 0, 6}, {21, 0, 6}, {28, 0, 6}, {35, 0, 6}, {42, 0, 1}, {44, 0, 1}, {46, 0, 6},
     {53, 2, 4}, {56, 0, 5}, {62, 1, 4}, {66, 2, 3}, {68, 0, 6}, {75, 2, 4}, {78, 0, 5}, {84, 1, 4},
     {88, 2, 3}, {90, 0, 5}, {96, 0, 5}, {102, 0, 5}, {108, 0, 5}, {114, 0, 5}, {120, 0, 5}, {126, 0, 6},
@@ -57,7 +57,7 @@ inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
     {224, 0, 1}, {226, 0, 1}, {228, 0, 1}, {230, 0, 1}, {232, 0, 1}, {234, 0, 1}, {236, 0, 1}, {238, 0, 3},
     {242, 0, 3}, {246, 0, 3}, {250, 0, 3}, {254, 0, 3}, {258, 0, 3}, {262, 0, 3}, {266, 0, 3},
 };
-inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Element kElements[] = {
     {48914008u, {59002, 34, 60966}, 0, 0, 0}, {50730589u, {59061, 34, 51729}, 0, 0, 0},
     {50729321u, {59115, 34, 42324}, 1, 0, 0}, {50728054u, {59169, 34, 32919}, 1, 0, 0},
     {50726787u, {59224, 34, 23514}, 2, 0, 0}, {50725519u, {59278, 34, 14109}, 2, 0, 0},
@@ -194,7 +194,7 @@ inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
     {46773751u, {44930, 4862, 30381}, 76, 19, 0}, {46773751u, {44930, 14521, 30381}, 76, 19, 0},
     {46773751u, {44930, 24180, 30381}, 77, 19, 0}, {46773751u, {44930, 33839, 30381}, 77, 19, 0},
 };
-inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Patch kPatches[] = {
     {{53630, 34, 56248}, 0, 0, 4}, {{53749, 34, 37591}, 0, 4, 4}, {{53858, 34, 18780}, 0, 8, 4},
     {{53963, 34, 4704}, 0, 12, 2}, {{32057, 34, 56186}, 0, 14, 4}, {{32177, 34, 37467}, 0, 18, 4},
     {{32285, 34, 18656}, 0, 22, 4}, {{32390, 34, 4642}, 0, 26, 2}, {{10646, 34, 56116}, 0, 28, 4},
@@ -226,7 +226,7 @@ inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
     {{33922, 9691, 44053}, 18, 254, 4}, {{33922, 29009, 44053}, 18, 258, 4},
     {{40305, 9691, 31816}, 19, 262, 4}, {{40305, 29009, 31816}, 19, 266, 4},
 };
-inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kPatchElements[] = {
     0, 1, 7, 8, 2, 3, 9, 10, 4, 5, 11, 12, 6, 13, 14, 15, 21, 22, 16, 17, 23, 24, 18, 19, 25, 26, 20, 27, 28,
     29, 35, 36, 30, 31, 37, 38, 32, 33, 39, 40, 34, 41, 42, 43, 44, 45, 46, 47, 48, 49, 53, 54, 50, 51, 55,
     52, 56, 57, 62, 58, 59, 63, 64, 60, 61, 65, 66, 67, 68, 69, 70, 71, 75, 76, 72, 73, 77, 74, 78, 79, 84,
@@ -240,13 +240,13 @@ inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
     232, 233, 234, 235, 236, 237, 238, 239, 242, 243, 240, 241, 244, 245, 246, 247, 250, 251, 248, 249, 252,
     253, 254, 255, 258, 259, 256, 257, 260, 261, 262, 263, 266, 267, 264, 265, 268, 269,
 };
-inline constexpr FIXRAD_FLASH fixrad::Material kMaterials[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Material kMaterials[] = {
     {{3027951944u, 3027951944u, 3027951944u}, {0u, 0u, 0u}},
     {{0u, 0u, 0u}, {3599562693u, 3599562693u, 3599562693u}},
     {{974957576u, 974957576u, 974957576u}, {0u, 0u, 0u}},
     {{1065151889u, 1065151889u, 1065151889u}, {0u, 0u, 0u}},
 };
-inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {0u, 4294967295u, 4}, {4u, 0u, 2}, {6u, 0u, 1}, {7u, 0u, 2}, {9u, 4294967295u, 4}, {13u, 4u, 2},
     {15u, 4294967295u, 4}, {19u, 6u, 2}, {21u, 4294967295u, 4}, {25u, 8u, 2}, {27u, 4294967295u, 4},
     {31u, 10u, 2}, {33u, 4294967295u, 4}, {37u, 12u, 2}, {39u, 12u, 1}, {40u, 12u, 2}, {42u, 4294967295u, 4},
@@ -335,7 +335,7 @@ inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {1105u, 416u, 1}, {1106u, 416u, 2}, {1108u, 411u, 2}, {1110u, 411u, 1}, {1111u, 414u, 2},
     {1113u, 416u, 2}, {1115u, 416u, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kMeshVertexElements[] = {
     0, 1, 7, 8, 0, 7, 0, 0, 1, 1, 2, 8, 9, 1, 2, 2, 3, 9, 10, 2, 3, 3, 4, 10, 11, 3, 4, 4, 5, 11, 12, 4, 5, 5,
     6, 12, 13, 5, 6, 6, 6, 13, 7, 8, 14, 15, 7, 14, 8, 9, 15, 16, 9, 10, 16, 17, 10, 11, 17, 18, 11, 12, 18,
     19, 12, 13, 19, 20, 13, 20, 14, 15, 21, 22, 14, 21, 15, 16, 22, 23, 16, 17, 23, 24, 17, 18, 24, 25, 18,
@@ -387,7 +387,7 @@ inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
     264, 265, 264, 265, 268, 269, 265, 265, 269, 266, 267, 266, 267, 268, 268, 269, 269,
 };
 
-inline fixrad::Scene scene() {
+static inline fixrad::Scene scene() {
   fixrad::Scene result = {};
   result.vertices = kVertices;
   result.corners = kCorners;
@@ -410,7 +410,7 @@ inline fixrad::Scene scene() {
   return result;
 }
 
-inline fixrad::VertexMap vertex_map() {
+static inline fixrad::VertexMap vertex_map() {
   fixrad::VertexMap result = {};
   result.vertices = kMeshVertices;
   result.elements = kMeshVertexElements;
@@ -418,7 +418,7 @@ inline fixrad::VertexMap vertex_map() {
   return result;
 }
 
-inline fixrad::Settings settings() {
+static inline fixrad::Settings settings() {
   fixrad::Settings result = {};
   result.engine = fixrad::lune_rows;
   result.table = &fixrad::kLune16;
@@ -440,11 +440,11 @@ constexpr uint64_t kDigest = 0xf86c449ea7ff6103ull;
 constexpr uint32_t kShots = 188u;
 constexpr uint32_t kEyes = 411u;
 // A line a channel: emitted, absorbed, unshot, escaped, back; units of flux.
-inline constexpr FIXRAD_FLASH int64_t kLedger[][5] = {
+constexpr FIXRAD_IN_FLASH int64_t kLedger[][5] = {
     {313586296, 222847273, -170941, 90904868, 5096},
 };
 // [element][channel], units of flux.
-inline constexpr FIXRAD_FLASH int32_t kReceived[] = {
+constexpr FIXRAD_IN_FLASH int32_t kReceived[] = {
     408765, 490809, 318219, 395853, 1535969, 1895347, 1603620, 560581, 456033, 12240, 373405, 2185254,
     2284877, 1778622, 1349128, 912487, 225215, 1138937, 2747552, 2116945, 1843502, 2377105, 2611318, 2560569,
     2041804, 308891, 23031, 639877, 2305261, 2876431, 2995907, 2761191, 55438, 56172, 279983, 1925205,

@@ -12,7 +12,7 @@
 
 namespace cornell_large {
 
-inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Vertex kVertices[] = {
     {16188, 8, 8}, {8, 8, 8}, {8, 8, 16375}, {16094, 8, 16375}, {10047, 16071, 6652}, {10047, 16071, 9725},
     {6242, 16071, 9725}, {6242, 16071, 6652}, {16281, 16071, 8}, {16281, 16071, 16375}, {8, 16071, 16375},
     {8, 16071, 8}, {3813, 4837, 1910}, {2408, 4837, 6593}, {7032, 4837, 7969}, {8496, 4837, 3345},
@@ -20,12 +20,12 @@ inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
     {7764, 9667, 8672}, {9198, 9667, 13354}, {13823, 9667, 11891}, {12389, 8, 7237}, {13823, 8, 11891},
     {9198, 8, 13354}, {7764, 8, 8672},
 };
-inline constexpr FIXRAD_FLASH uint16_t kCorners[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kCorners[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 5, 4, 9, 10, 6, 5, 10, 11, 7, 6, 11, 8, 4, 7, 3, 2, 10, 9, 2, 1, 11, 10, 0,
     3, 9, 0, 9, 8, 12, 13, 14, 15, 16, 15, 14, 17, 18, 12, 15, 16, 19, 13, 12, 18, 17, 14, 13, 19, 20, 21, 22,
     23, 24, 20, 23, 25, 25, 23, 22, 26, 26, 22, 21, 27, 27, 21, 20, 24,
 };
-inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Face kFaces[] = {
     {0, 0, 0, 4, 13, 12, {0, 16384, 0}, {95, 0, -16384}, {16093, 8, 16467}, {95, 0, -16459}, {-16179, 0, -93}, 13656359u},
     {4, 1, 12, 4, 2, 3, {0, -16384, 0}, {0, 0, 16384}, {10047, 16071, 6652}, {0, 0, 3073}, {-3805, 0, 0}, 15590353u},
     {8, 0, 15, 4, 12, 5, {0, -16384, 0}, {0, 0, 16384}, {16281, 16071, 8}, {0, 0, 16367}, {-6234, 0, 0}, 13604250u},
@@ -47,7 +47,7 @@ inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
     {70, 0, 116, 4, 7, 4, {-15666, 0, 4798}, {0, 16384, 0}, {9198, 8, 13354}, {0, 9659, 0}, {-1434, 0, -4682}, 13513439u},
     {74, 0, 120, 4, 7, 4, {-4855, 0, -15648}, {0, 16384, 0}, {7764, 8, 8672}, {0, 9659, 0}, {4625, 0, -1435}, 13363929u},
 };
-inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
+constexpr FIXRAD_IN_FLASH fixrad::CellRow kCellRows[] = {
     {0, 0, 12}, {13, 0, 12}, {26, 0, 12}, {39, 0, 12}, {52, 0, 12}, {65, 0, 12}, {78, 0, 12}, {91, 0, 12},
     {104, 0, 12}, {117, 0, 12}, {130, 0, 12}, {143, 0, 12}, {156, 0, 1}, {158, 0, 1}, {160, 0, 1},
     {162, 0, 11}, {174, 1, 10}, {184, 2, 9}, {192, 3, 8}, {198, 4, 7}, {202, 0, 11}, {214, 1, 10},
@@ -66,7 +66,7 @@ inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
     {909, 0, 6}, {916, 0, 6}, {923, 0, 6}, {930, 0, 6}, {937, 0, 6}, {944, 0, 6}, {951, 0, 6}, {958, 0, 6},
     {965, 0, 6}, {972, 0, 6},
 };
-inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Element kElements[] = {
     {12710058u, {61689, 34, 63144}, 0, 0, 0}, {13660584u, {61720, 34, 58256}, 1, 0, 0},
     {13660217u, {61749, 34, 53192}, 2, 0, 0}, {13659850u, {61778, 34, 48127}, 3, 0, 0},
     {13659482u, {61808, 34, 43063}, 4, 0, 0}, {13659115u, {61837, 34, 37999}, 5, 0, 0},
@@ -558,7 +558,7 @@ inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
     {13363929u, {47243, 24869, 29664}, 976, 19, 0}, {13363929u, {47243, 30389, 29664}, 977, 19, 0},
     {13363929u, {47243, 35908, 29664}, 978, 19, 0},
 };
-inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Patch kPatches[] = {
     {{61689, 34, 63144}, 0, 0, 1}, {{61720, 34, 58256}, 0, 1, 1}, {{61749, 34, 53192}, 0, 2, 1},
     {{61778, 34, 48127}, 0, 3, 1}, {{61808, 34, 43063}, 0, 4, 1}, {{61837, 34, 37999}, 0, 5, 1},
     {{61866, 34, 32935}, 0, 6, 1}, {{61895, 34, 27870}, 0, 7, 1}, {{61924, 34, 22806}, 0, 8, 1},
@@ -961,7 +961,7 @@ inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
     {{47243, 24869, 29664}, 19, 976, 1}, {{47243, 30389, 29664}, 19, 977, 1},
     {{47243, 35908, 29664}, 19, 978, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kPatchElements[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28,
     29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54,
     55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80,
@@ -1009,13 +1009,13 @@ inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
     946, 947, 948, 949, 950, 951, 952, 953, 954, 955, 956, 957, 958, 959, 960, 961, 962, 963, 964, 965, 966,
     967, 968, 969, 970, 971, 972, 973, 974, 975, 976, 977, 978,
 };
-inline constexpr FIXRAD_FLASH fixrad::Material kMaterials[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Material kMaterials[] = {
     {{3113851290u, 3049426780u, 2920577761u}, {0u, 0u, 0u}},
     {{0u, 0u, 0u}, {3355524545u, 2368605559u, 789535186u}},
     {{601295421u, 1932735283u, 390842024u}, {0u, 0u, 0u}},
     {{2705829396u, 279172874u, 214748365u}, {0u, 0u, 0u}},
 };
-inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {0u, 4294967295u, 4}, {4u, 0u, 2}, {6u, 0u, 1}, {7u, 0u, 2}, {9u, 4294967295u, 4}, {13u, 4u, 2},
     {15u, 4294967295u, 4}, {19u, 6u, 2}, {21u, 4294967295u, 4}, {25u, 8u, 2}, {27u, 4294967295u, 4},
     {31u, 10u, 2}, {33u, 4294967295u, 4}, {37u, 12u, 2}, {39u, 4294967295u, 4}, {43u, 14u, 2},
@@ -1306,7 +1306,7 @@ inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {3941u, 4294967295u, 4}, {3945u, 1233u, 2}, {3947u, 1227u, 2}, {3949u, 1227u, 1}, {3950u, 1229u, 2},
     {3952u, 1230u, 2}, {3954u, 1231u, 2}, {3956u, 1232u, 2}, {3958u, 1233u, 2}, {3960u, 1233u, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kMeshVertexElements[] = {
     0, 1, 13, 14, 0, 13, 0, 0, 1, 1, 2, 14, 15, 1, 2, 2, 3, 15, 16, 2, 3, 3, 4, 16, 17, 3, 4, 4, 5, 17, 18, 4,
     5, 5, 6, 18, 19, 5, 6, 6, 7, 19, 20, 6, 7, 7, 8, 20, 21, 7, 8, 8, 9, 21, 22, 8, 9, 9, 10, 22, 23, 9, 10,
     10, 11, 23, 24, 10, 11, 11, 12, 24, 25, 11, 12, 12, 12, 25, 13, 14, 26, 27, 13, 26, 14, 15, 27, 28, 15,
@@ -1494,7 +1494,7 @@ inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
     972, 973, 974, 974, 975, 975, 976, 976, 977, 977, 978, 978,
 };
 
-inline fixrad::Scene scene() {
+static inline fixrad::Scene scene() {
   fixrad::Scene result = {};
   result.vertices = kVertices;
   result.corners = kCorners;
@@ -1517,7 +1517,7 @@ inline fixrad::Scene scene() {
   return result;
 }
 
-inline fixrad::VertexMap vertex_map() {
+static inline fixrad::VertexMap vertex_map() {
   fixrad::VertexMap result = {};
   result.vertices = kMeshVertices;
   result.elements = kMeshVertexElements;
@@ -1525,7 +1525,7 @@ inline fixrad::VertexMap vertex_map() {
   return result;
 }
 
-inline fixrad::Settings settings() {
+static inline fixrad::Settings settings() {
   fixrad::Settings result = {};
   result.engine = fixrad::lune_rows;
   result.table = &fixrad::kLune32;
@@ -1547,12 +1547,12 @@ constexpr uint64_t kDigest = 0x26a8d15ed4fd0f96ull;
 constexpr uint32_t kShots = 2868u;
 constexpr uint32_t kEyes = 2948u;
 // A line a channel: emitted, absorbed, unshot, escaped, back; units of flux.
-inline constexpr FIXRAD_FLASH int64_t kLedger[][5] = {
+constexpr FIXRAD_IN_FLASH int64_t kLedger[][5] = {
     {292326204, 198674692, -132876, 93747812, 36576}, {206347908, 145259911, -25349, 61088963, 24383},
     {68782632, 50912515, 40, 17863591, 6486},
 };
 // [element][channel], units of flux.
-inline constexpr FIXRAD_FLASH int32_t kReceived[] = {
+constexpr FIXRAD_IN_FLASH int32_t kReceived[] = {
     116739, 45302, 9859, 170334, 68010, 16495, 181933, 70660, 17810, 178881, 63596, 16775, 160621, 45738,
     12266, 150388, 35486, 9549, 148078, 32764, 8532, 307449, 142204, 43159, 480564, 260277, 81820, 543218,
     300419, 95241, 537905, 304143, 95976, 478133, 273055, 86101, 420026, 251595, 78858, 156893, 60876, 13039,

@@ -12,7 +12,7 @@
 
 namespace cornell_tiny {
 
-inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Vertex kVertices[] = {
     {16188, 8, 8}, {8, 8, 8}, {8, 8, 16375}, {16094, 8, 16375}, {10047, 16071, 6652}, {10047, 16071, 9725},
     {6242, 16071, 9725}, {6242, 16071, 6652}, {16281, 16071, 8}, {16281, 16071, 16375}, {8, 16071, 16375},
     {8, 16071, 8}, {3813, 4837, 1910}, {2408, 4837, 6593}, {7032, 4837, 7969}, {8496, 4837, 3345},
@@ -20,12 +20,12 @@ inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
     {7764, 9667, 8672}, {9198, 9667, 13354}, {13823, 9667, 11891}, {12389, 8, 7237}, {13823, 8, 11891},
     {9198, 8, 13354}, {7764, 8, 8672},
 };
-inline constexpr FIXRAD_FLASH uint16_t kCorners[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kCorners[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 5, 4, 9, 10, 6, 5, 10, 11, 7, 6, 11, 8, 4, 7, 3, 2, 10, 9, 2, 1, 11, 10, 0,
     3, 9, 0, 9, 8, 12, 13, 14, 15, 16, 15, 14, 17, 18, 12, 15, 16, 19, 13, 12, 18, 17, 14, 13, 19, 20, 21, 22,
     23, 24, 20, 23, 25, 25, 23, 22, 26, 26, 22, 21, 27, 27, 21, 20, 24,
 };
-inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Face kFaces[] = {
     {0, 0, 0, 4, 5, 4, {0, 16384, 0}, {95, 0, -16384}, {16093, 8, 16467}, {95, 0, -16459}, {-16179, 0, -93}, 106519598u},
     {4, 1, 4, 4, 2, 2, {0, -16384, 0}, {0, 0, 16384}, {10047, 16071, 6652}, {0, 0, 3073}, {-3805, 0, 0}, 23385530u},
     {8, 0, 6, 4, 4, 2, {0, -16384, 0}, {0, 0, 16384}, {16281, 16071, 8}, {0, 0, 16367}, {-6234, 0, 0}, 102031878u},
@@ -47,14 +47,14 @@ inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
     {70, 0, 39, 4, 3, 1, {-15666, 0, 4798}, {0, 16384, 0}, {9198, 8, 13354}, {0, 9659, 0}, {-1434, 0, -4682}, 126125432u},
     {74, 0, 40, 4, 3, 1, {-4855, 0, -15648}, {0, 16384, 0}, {7764, 8, 8672}, {0, 9659, 0}, {4625, 0, -1435}, 124730003u},
 };
-inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
+constexpr FIXRAD_IN_FLASH fixrad::CellRow kCellRows[] = {
     {0, 0, 4}, {5, 0, 4}, {10, 0, 4}, {15, 0, 4}, {20, 0, 1}, {22, 0, 1}, {24, 0, 3}, {28, 1, 2}, {30, 0, 3},
     {34, 1, 2}, {36, 0, 3}, {40, 1, 2}, {42, 0, 3}, {46, 1, 2}, {48, 0, 3}, {52, 0, 3}, {56, 0, 3},
     {60, 0, 3}, {64, 0, 3}, {68, 0, 3}, {72, 0, 3}, {76, 0, 3}, {80, 0, 3}, {84, 0, 2}, {87, 0, 1},
     {89, 0, 1}, {91, 0, 0}, {92, 0, 3}, {96, 0, 2}, {99, 0, 1}, {101, 0, 0}, {102, 0, 0}, {103, 0, 0},
     {104, 0, 0}, {105, 0, 0}, {106, 0, 0}, {107, 0, 0}, {108, 0, 2}, {111, 0, 2}, {114, 0, 2}, {117, 0, 2},
 };
-inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Element kElements[] = {
     {103929570u, {56313, 34, 59077}, 0, 0, 0}, {106528292u, {56397, 34, 46071}, 0, 0, 0},
     {106525808u, {56473, 34, 32904}, 1, 0, 0}, {106523324u, {56549, 34, 19736}, 1, 0, 0},
     {106144666u, {56634, 34, 6592}, 2, 0, 0}, {104671086u, {40132, 34, 59031}, 3, 0, 0},
@@ -116,7 +116,7 @@ inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
     {126125432u, {33922, 32229, 44053}, 70, 18, 0}, {124730003u, {40305, 6471, 31816}, 71, 19, 0},
     {124730003u, {40305, 19350, 31816}, 71, 19, 0}, {124730003u, {40305, 32229, 31816}, 72, 19, 0},
 };
-inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Patch kPatches[] = {
     {{56355, 34, 52494}, 0, 0, 2}, {{56511, 34, 26320}, 0, 2, 2}, {{56634, 34, 6592}, 0, 4, 1},
     {{40175, 34, 52447}, 0, 5, 2}, {{40332, 34, 26227}, 0, 7, 2}, {{40455, 34, 6546}, 0, 9, 1},
     {{23996, 34, 52401}, 0, 10, 2}, {{24152, 34, 26134}, 0, 12, 2}, {{24276, 34, 6499}, 0, 14, 1},
@@ -145,20 +145,20 @@ inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
     {{33922, 12911, 44053}, 18, 114, 2}, {{33922, 32229, 44053}, 18, 116, 1},
     {{40305, 12911, 31816}, 19, 117, 2}, {{40305, 32229, 31816}, 19, 119, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kPatchElements[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28,
     29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54,
     55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80,
     81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105,
     106, 107, 108, 109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119,
 };
-inline constexpr FIXRAD_FLASH fixrad::Material kMaterials[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Material kMaterials[] = {
     {{3113851290u, 3049426780u, 2920577761u}, {0u, 0u, 0u}},
     {{0u, 0u, 0u}, {3355524545u, 2368605559u, 789535186u}},
     {{601295421u, 1932735283u, 390842024u}, {0u, 0u, 0u}},
     {{2705829396u, 279172874u, 214748365u}, {0u, 0u, 0u}},
 };
-inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {0u, 4294967295u, 4}, {4u, 0u, 2}, {6u, 0u, 1}, {7u, 0u, 2}, {9u, 4294967295u, 4}, {13u, 4u, 2},
     {15u, 4294967295u, 4}, {19u, 6u, 2}, {21u, 4294967295u, 4}, {25u, 8u, 2}, {27u, 8u, 1}, {28u, 8u, 2},
     {30u, 4294967295u, 4}, {34u, 12u, 2}, {36u, 4294967295u, 4}, {40u, 4294967295u, 4}, {44u, 4294967295u, 4},
@@ -205,7 +205,7 @@ inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {480u, 4294967295u, 2}, {482u, 4294967295u, 2}, {484u, 4294967295u, 1}, {485u, 4294967295u, 2},
     {487u, 4294967295u, 2}, {489u, 4294967295u, 1}, {490u, 4294967295u, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kMeshVertexElements[] = {
     0, 1, 5, 6, 0, 5, 0, 0, 1, 1, 2, 6, 7, 1, 2, 2, 3, 7, 8, 2, 3, 3, 4, 8, 9, 3, 4, 4, 4, 9, 5, 6, 10, 11, 5,
     10, 6, 7, 11, 12, 7, 8, 12, 13, 8, 9, 13, 14, 9, 14, 10, 11, 15, 16, 10, 15, 11, 12, 16, 17, 12, 13, 17,
     18, 13, 14, 18, 19, 14, 19, 15, 16, 15, 16, 17, 17, 18, 18, 19, 19, 20, 20, 21, 20, 21, 22, 23, 20, 22,
@@ -228,7 +228,7 @@ inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
     119, 119, 119,
 };
 
-inline fixrad::Scene scene() {
+static inline fixrad::Scene scene() {
   fixrad::Scene result = {};
   result.vertices = kVertices;
   result.corners = kCorners;
@@ -251,7 +251,7 @@ inline fixrad::Scene scene() {
   return result;
 }
 
-inline fixrad::VertexMap vertex_map() {
+static inline fixrad::VertexMap vertex_map() {
   fixrad::VertexMap result = {};
   result.vertices = kMeshVertices;
   result.elements = kMeshVertexElements;
@@ -259,7 +259,7 @@ inline fixrad::VertexMap vertex_map() {
   return result;
 }
 
-inline fixrad::Settings settings() {
+static inline fixrad::Settings settings() {
   fixrad::Settings result = {};
   result.engine = fixrad::lune_rows;
   result.table = &fixrad::kLune16;
@@ -281,12 +281,12 @@ constexpr uint64_t kDigest = 0x11fd4317ba219feeull;
 constexpr uint32_t kShots = 221u;
 constexpr uint32_t kEyes = 429u;
 // A line a channel: emitted, absorbed, unshot, escaped, back; units of flux.
-inline constexpr FIXRAD_FLASH int64_t kLedger[][5] = {
+constexpr FIXRAD_IN_FLASH int64_t kLedger[][5] = {
     {292326208, 198882226, -161657, 93600288, 5351}, {206347912, 145456654, -147501, 61035425, 3334},
     {68782636, 50960930, -11518, 17832265, 959},
 };
 // [element][channel], units of flux.
-inline constexpr FIXRAD_FLASH int32_t kReceived[] = {
+constexpr FIXRAD_IN_FLASH int32_t kReceived[] = {
     1576060, 668921, 161453, 1075963, 353824, 93158, 1727189, 574593, 170221, 4375073, 2476925, 783593,
     3821909, 2235216, 707090, 2723916, 1630037, 422866, 655742, 457486, 120442, 2091214, 1351797, 422735,
     5583363, 3460954, 1109179, 4074912, 2533680, 810126, 4900208, 3636199, 1012235, 5263502, 4066110, 1111582,

@@ -12,7 +12,7 @@
 
 namespace portico_tiny {
 
-inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Vertex kVertices[] = {
     {8, 8, 8192}, {16375, 8, 8192}, {16375, 8, 8}, {8, 8, 8}, {16375, 8192, 8}, {16375, 8192, 8192},
     {8, 8192, 8192}, {8, 8192, 8}, {1372, 2736, 8}, {15011, 2736, 8}, {15011, 6828, 8}, {1372, 6828, 8},
     {2190, 8, 3281}, {2190, 8, 4373}, {2190, 8192, 4373}, {2190, 8192, 3281}, {3281, 8, 3281},
@@ -21,12 +21,12 @@ inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
     {8737, 8, 4373}, {13102, 8, 3281}, {13102, 8, 4373}, {13102, 8192, 4373}, {13102, 8192, 3281},
     {14193, 8, 3281}, {14193, 8192, 3281}, {14193, 8192, 4373}, {14193, 8, 4373},
 };
-inline constexpr FIXRAD_FLASH uint16_t kCorners[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kCorners[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 6, 5, 1, 0, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 12, 15, 17, 16, 13, 19,
     18, 14, 20, 21, 22, 23, 24, 25, 26, 27, 20, 23, 25, 24, 21, 27, 26, 22, 28, 29, 30, 31, 32, 33, 34, 35,
     28, 31, 33, 32, 29, 35, 34, 30,
 };
-inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Face kFaces[] = {
     {0, 0, 0, 4, 6, 3, {0, 16384, 0}, {16384, 0, 0}, {8, 8, 8192}, {16367, 0, 0}, {0, 0, -8184}, 59532235u},
     {4, 0, 3, 4, 3, 6, {0, -16384, 0}, {0, 0, 16384}, {16375, 8192, 8}, {0, 0, 8184}, {-16367, 0, 0}, 59532235u},
     {8, 0, 9, 4, 6, 3, {0, 0, -16384}, {16384, 0, 0}, {8, 8192, 8192}, {16367, 0, 0}, {0, -8184, 0}, 59532235u},
@@ -44,14 +44,14 @@ inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
     {56, 2, 34, 4, 3, 1, {0, 0, -16384}, {0, 16384, 0}, {13102, 8, 3281}, {0, 8184, 0}, {1091, 0, 0}, 23809984u},
     {60, 2, 35, 4, 1, 3, {0, 0, 16384}, {16384, 0, 0}, {13102, 8, 4373}, {1091, 0, 0}, {0, 8184, 0}, 23809984u},
 };
-inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
+constexpr FIXRAD_IN_FLASH fixrad::CellRow kCellRows[] = {
     {0, 0, 5}, {6, 0, 5}, {12, 0, 5}, {18, 0, 2}, {21, 0, 2}, {24, 0, 2}, {27, 0, 2}, {30, 0, 2}, {33, 0, 2},
     {36, 0, 5}, {42, 0, 5}, {48, 0, 5}, {54, 0, 4}, {59, 0, 4}, {64, 0, 0}, {65, 0, 0}, {66, 0, 0},
     {67, 0, 2}, {70, 0, 2}, {73, 0, 0}, {74, 0, 0}, {75, 0, 0}, {76, 0, 0}, {77, 0, 0}, {78, 0, 0},
     {79, 0, 2}, {82, 0, 2}, {85, 0, 0}, {86, 0, 0}, {87, 0, 0}, {88, 0, 0}, {89, 0, 0}, {90, 0, 0},
     {91, 0, 2}, {94, 0, 2}, {97, 0, 0}, {98, 0, 0}, {99, 0, 0},
 };
-inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Element kElements[] = {
     {59532235u, {5488, 34, 27312}, 0, 0, 0}, {59532235u, {16399, 34, 27312}, 0, 0, 0},
     {59532235u, {27310, 34, 27312}, 1, 0, 0}, {59532235u, {38222, 34, 27312}, 1, 0, 0},
     {59532235u, {49133, 34, 27312}, 2, 0, 0}, {59532235u, {60044, 34, 27312}, 2, 0, 0},
@@ -103,7 +103,7 @@ inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
     {23809984u, {54590, 27312, 13122}, 42, 14, 2}, {23809984u, {54590, 5488, 17494}, 43, 15, 2},
     {23809984u, {54590, 16400, 17494}, 43, 15, 2}, {23809984u, {54590, 27312, 17494}, 44, 15, 2},
 };
-inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Patch kPatches[] = {
     {{10943, 34, 21856}, 0, 0, 4}, {{32766, 34, 21856}, 0, 4, 4}, {{54589, 34, 21856}, 0, 8, 4},
     {{10943, 34, 5488}, 0, 12, 2}, {{32766, 34, 5488}, 0, 14, 2}, {{54589, 34, 5488}, 0, 16, 2},
     {{54589, 32766, 10944}, 1, 18, 4}, {{54589, 32766, 27312}, 1, 22, 2}, {{32766, 32766, 10944}, 1, 24, 4},
@@ -122,18 +122,18 @@ inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
     {{54590, 10944, 13122}, 14, 94, 2}, {{54590, 27312, 13122}, 14, 96, 1},
     {{54590, 10944, 17494}, 15, 97, 2}, {{54590, 27312, 17494}, 15, 99, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kPatchElements[] = {
     0, 1, 6, 7, 2, 3, 8, 9, 4, 5, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 21, 22, 20, 23, 24, 25, 27, 28, 26,
     29, 30, 31, 33, 34, 32, 35, 36, 37, 42, 43, 38, 39, 44, 45, 40, 41, 46, 47, 48, 49, 50, 51, 52, 53, 54,
     55, 59, 60, 56, 57, 61, 62, 58, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80,
     81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95, 96, 97, 98, 99,
 };
-inline constexpr FIXRAD_FLASH fixrad::Material kMaterials[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Material kMaterials[] = {
     {{3006477107u, 3006477107u, 3006477107u}, {0u, 0u, 0u}},
     {{429496730u, 429496730u, 429496730u}, {3067665761u, 3067665761u, 3067665761u}},
     {{2576980378u, 2576980378u, 2576980378u}, {0u, 0u, 0u}},
 };
-inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {0u, 2u, 1}, {1u, 2u, 2}, {3u, 4294967295u, 4}, {7u, 2u, 2}, {9u, 5u, 2}, {11u, 4294967295u, 4},
     {15u, 7u, 2}, {17u, 4294967295u, 4}, {21u, 9u, 2}, {23u, 4294967295u, 4}, {27u, 11u, 2},
     {29u, 4294967295u, 4}, {33u, 11u, 1}, {34u, 11u, 2}, {36u, 4294967295u, 4}, {40u, 14u, 2},
@@ -178,7 +178,7 @@ inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {389u, 4294967295u, 1}, {390u, 4294967295u, 2}, {392u, 4294967295u, 2}, {394u, 4294967295u, 2},
     {396u, 4294967295u, 2}, {398u, 4294967295u, 1}, {399u, 4294967295u, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kMeshVertexElements[] = {
     0, 0, 1, 0, 1, 6, 7, 0, 6, 1, 2, 1, 2, 7, 8, 2, 3, 2, 3, 8, 9, 3, 4, 3, 4, 9, 10, 4, 5, 4, 5, 10, 11, 5,
     5, 11, 6, 7, 12, 13, 6, 12, 7, 8, 13, 14, 8, 9, 14, 15, 9, 10, 15, 16, 10, 11, 16, 17, 11, 17, 12, 13, 12,
     13, 14, 14, 15, 15, 16, 16, 17, 17, 18, 18, 19, 18, 19, 21, 22, 18, 21, 19, 20, 19, 20, 22, 23, 20, 20,
@@ -196,7 +196,7 @@ inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
     93, 94, 94, 95, 94, 95, 94, 95, 96, 95, 96, 96, 96, 97, 97, 97, 98, 97, 98, 98, 99, 98, 99, 99, 99,
 };
 
-inline fixrad::Scene scene() {
+static inline fixrad::Scene scene() {
   fixrad::Scene result = {};
   result.vertices = kVertices;
   result.corners = kCorners;
@@ -219,7 +219,7 @@ inline fixrad::Scene scene() {
   return result;
 }
 
-inline fixrad::VertexMap vertex_map() {
+static inline fixrad::VertexMap vertex_map() {
   fixrad::VertexMap result = {};
   result.vertices = kMeshVertices;
   result.elements = kMeshVertexElements;
@@ -227,7 +227,7 @@ inline fixrad::VertexMap vertex_map() {
   return result;
 }
 
-inline fixrad::Settings settings() {
+static inline fixrad::Settings settings() {
   fixrad::Settings result = {};
   result.engine = fixrad::lune_rows;
   result.table = &fixrad::kLune16;
@@ -249,11 +249,11 @@ constexpr uint64_t kDigest = 0xe27031df477fbfaaull;
 constexpr uint32_t kShots = 120u;
 constexpr uint32_t kEyes = 656u;
 // A line a channel: emitted, absorbed, unshot, escaped, back; units of flux.
-inline constexpr FIXRAD_FLASH int64_t kLedger[][5] = {
+constexpr FIXRAD_IN_FLASH int64_t kLedger[][5] = {
     {318901310, 174923389, -189832, 144158104, 9649},
 };
 // [element][channel], units of flux.
-inline constexpr FIXRAD_FLASH int32_t kReceived[] = {
+constexpr FIXRAD_IN_FLASH int32_t kReceived[] = {
     3164013, 5498832, 6402581, 6323087, 5471093, 3306164, 3285205, 6979404, 7346925, 7204211, 7004454,
     3262267, 3946159, 6351464, 7177125, 7365004, 6346307, 3969473, 5668654, 3681774, 3117415, 9552895,
     7753475, 5210380, 10652227, 8134975, 6246742, 10585198, 8155424, 6208912, 9549728, 7662977, 5358658,

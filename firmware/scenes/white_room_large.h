@@ -12,16 +12,16 @@
 
 namespace white_room_large {
 
-inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Vertex kVertices[] = {
     {8, 12795, 8}, {8, 12795, 14329}, {8, 8, 14329}, {8, 8, 8}, {16375, 8, 14329}, {16375, 12795, 14329},
     {16375, 12795, 8}, {16375, 8, 8}, {7261, 12795, 8284}, {7261, 12795, 7169}, {6146, 12795, 8284},
     {6146, 12795, 7169},
 };
-inline constexpr FIXRAD_FLASH uint16_t kCorners[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kCorners[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 2, 4, 7, 3, 7, 6, 0, 3, 1, 5, 4, 2, 6, 5, 8, 9, 5, 1, 10, 8, 1, 0, 11, 10, 0, 6,
     9, 11, 9, 8, 10, 11,
 };
-inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Face kFaces[] = {
     {0, 0, 0, 4, 6, 5, {16384, 0, 0}, {0, 0, 16384}, {8, 12795, 8}, {0, 0, 14321}, {0, -12787, 0}, 48832701u},
     {4, 0, 5, 4, 5, 6, {-16384, 0, 0}, {0, 16384, 0}, {16375, 8, 14329}, {0, 12787, 0}, {0, 0, -14321}, 48832701u},
     {8, 0, 11, 4, 7, 6, {0, 16384, 0}, {16384, 0, 0}, {8, 8, 14329}, {16367, 0, 0}, {0, 0, -14321}, 44646058u},
@@ -33,7 +33,7 @@ inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
     {32, 0, 39, 4, 7, 3, {0, -16384, 0}, {16384, 0, 0}, {8, 12795, 8}, {16367, 0, 0}, {0, 0, 7161}, 44649176u},
     {36, 1, 42, 4, 2, 2, {0, -16384, 0}, {0, 0, 16384}, {7261, 12795, 7169}, {0, 0, 1115}, {-1115, 0, 0}, 2486450u},
 };
-inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
+constexpr FIXRAD_IN_FLASH fixrad::CellRow kCellRows[] = {
     {0, 0, 5}, {6, 0, 5}, {12, 0, 5}, {18, 0, 5}, {24, 0, 5}, {30, 0, 4}, {35, 0, 4}, {40, 0, 4}, {45, 0, 4},
     {50, 0, 4}, {55, 0, 4}, {60, 0, 6}, {67, 0, 6}, {74, 0, 6}, {81, 0, 6}, {88, 0, 6}, {95, 0, 6},
     {102, 0, 4}, {107, 0, 4}, {112, 0, 4}, {117, 0, 4}, {122, 0, 4}, {127, 0, 4}, {132, 0, 4}, {137, 0, 6},
@@ -41,7 +41,7 @@ inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
     {187, 0, 6}, {194, 2, 5}, {198, 3, 4}, {200, 0, 5}, {206, 1, 4}, {210, 2, 3}, {212, 0, 6}, {219, 1, 4},
     {223, 2, 3}, {225, 0, 1}, {227, 0, 1},
 };
-inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Element kElements[] = {
     {48832701u, {34, 46065, 4806}, 0, 0, 0}, {48832701u, {34, 46065, 14353}, 1, 0, 0},
     {48832701u, {34, 46065, 23900}, 2, 0, 0}, {48832701u, {34, 46065, 33448}, 3, 0, 0},
     {48832701u, {34, 46065, 42995}, 4, 0, 0}, {48832701u, {34, 46065, 52542}, 5, 0, 0},
@@ -158,7 +158,7 @@ inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
     {2486450u, {27929, 51178, 32021}, 226, 9, 1}, {2486450u, {25699, 51178, 29791}, 227, 9, 1},
     {2486450u, {25699, 51178, 32021}, 228, 9, 1},
 };
-inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Patch kPatches[] = {
     {{34, 46065, 4806}, 0, 0, 1}, {{34, 46065, 14353}, 0, 1, 1}, {{34, 46065, 23900}, 0, 2, 1},
     {{34, 46065, 33448}, 0, 3, 1}, {{34, 46065, 42995}, 0, 4, 1}, {{34, 46065, 52542}, 0, 5, 1},
     {{34, 35836, 4806}, 0, 6, 1}, {{34, 35836, 14353}, 0, 7, 1}, {{34, 35836, 23900}, 0, 8, 1},
@@ -245,7 +245,7 @@ inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
     {{27929, 51178, 32021}, 9, 226, 1}, {{25699, 51178, 29791}, 9, 227, 1},
     {{25699, 51178, 32021}, 9, 228, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kPatchElements[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28,
     29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54,
     55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80,
@@ -257,11 +257,11 @@ inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
     190, 191, 192, 193, 194, 195, 196, 197, 198, 199, 200, 201, 202, 203, 204, 205, 206, 207, 208, 209, 210,
     211, 212, 213, 214, 215, 216, 217, 218, 219, 220, 221, 222, 223, 224, 225, 226, 227, 228,
 };
-inline constexpr FIXRAD_FLASH fixrad::Material kMaterials[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Material kMaterials[] = {
     {{4080218931u, 4080218931u, 4080218931u}, {0u, 0u, 0u}},
     {{4080218931u, 4080218931u, 4080218931u}, {2869030871u, 2869030871u, 2869030871u}},
 };
-inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {0u, 2u, 1}, {1u, 2u, 2}, {3u, 4294967295u, 4}, {7u, 2u, 2}, {9u, 5u, 2}, {11u, 4294967295u, 4},
     {15u, 7u, 2}, {17u, 4294967295u, 4}, {21u, 9u, 2}, {23u, 4294967295u, 4}, {27u, 11u, 2},
     {29u, 4294967295u, 4}, {33u, 11u, 1}, {34u, 11u, 2}, {36u, 4294967295u, 4}, {40u, 14u, 2},
@@ -331,7 +331,7 @@ inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {925u, 319u, 2}, {927u, 4294967295u, 4}, {931u, 319u, 2}, {933u, 319u, 1}, {934u, 319u, 2},
     {936u, 319u, 2}, {938u, 319u, 1}, {939u, 319u, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kMeshVertexElements[] = {
     0, 0, 1, 0, 1, 6, 7, 0, 6, 1, 2, 1, 2, 7, 8, 2, 3, 2, 3, 8, 9, 3, 4, 3, 4, 9, 10, 4, 5, 4, 5, 10, 11, 5,
     5, 11, 6, 7, 12, 13, 6, 12, 7, 8, 13, 14, 8, 9, 14, 15, 9, 10, 15, 16, 10, 11, 16, 17, 11, 17, 12, 13, 18,
     19, 12, 18, 13, 14, 19, 20, 14, 15, 20, 21, 15, 16, 21, 22, 16, 17, 22, 23, 17, 23, 18, 19, 24, 25, 18,
@@ -375,7 +375,7 @@ inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
     226, 225, 226, 227, 228, 225, 227, 226, 226, 228, 227, 228, 227, 228,
 };
 
-inline fixrad::Scene scene() {
+static inline fixrad::Scene scene() {
   fixrad::Scene result = {};
   result.vertices = kVertices;
   result.corners = kCorners;
@@ -398,7 +398,7 @@ inline fixrad::Scene scene() {
   return result;
 }
 
-inline fixrad::VertexMap vertex_map() {
+static inline fixrad::VertexMap vertex_map() {
   fixrad::VertexMap result = {};
   result.vertices = kMeshVertices;
   result.elements = kMeshVertexElements;
@@ -406,7 +406,7 @@ inline fixrad::VertexMap vertex_map() {
   return result;
 }
 
-inline fixrad::Settings settings() {
+static inline fixrad::Settings settings() {
   fixrad::Settings result = {};
   result.engine = fixrad::lune_rows;
   result.table = &fixrad::kLune32;
@@ -428,11 +428,11 @@ constexpr uint64_t kDigest = 0xd7102a078f264168ull;
 constexpr uint32_t kShots = 6283u;
 constexpr uint32_t kEyes = 6315u;
 // A line a channel: emitted, absorbed, unshot, escaped, back; units of flux.
-inline constexpr FIXRAD_FLASH int64_t kLedger[][5] = {
+constexpr FIXRAD_IN_FLASH int64_t kLedger[][5] = {
     {53150220, 52618767, 531453, 0, 0},
 };
 // [element][channel], units of flux.
-inline constexpr FIXRAD_FLASH int32_t kReceived[] = {
+constexpr FIXRAD_IN_FLASH int32_t kReceived[] = {
     4606114, 5039764, 5046731, 5047887, 5083137, 4562033, 4876471, 5559301, 5730666, 5868427, 5677310,
     5071962, 5025933, 5538786, 5540562, 5586801, 5559178, 5109754, 5026754, 5494313, 5522780, 5510719,
     5544987, 5059709, 4651580, 5156271, 4943633, 5141706, 5244387, 4784910, 4709679, 5020533, 5031057,

@@ -12,16 +12,16 @@
 
 namespace white_room_medium {
 
-inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Vertex kVertices[] = {
     {8, 12795, 8}, {8, 12795, 14329}, {8, 8, 14329}, {8, 8, 8}, {16375, 8, 14329}, {16375, 12795, 14329},
     {16375, 12795, 8}, {16375, 8, 8}, {7261, 12795, 8284}, {7261, 12795, 7169}, {6146, 12795, 8284},
     {6146, 12795, 7169},
 };
-inline constexpr FIXRAD_FLASH uint16_t kCorners[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kCorners[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 2, 4, 7, 3, 7, 6, 0, 3, 1, 5, 4, 2, 6, 5, 8, 9, 5, 1, 10, 8, 1, 0, 11, 10, 0, 6,
     9, 11, 9, 8, 10, 11,
 };
-inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Face kFaces[] = {
     {0, 0, 0, 4, 5, 4, {16384, 0, 0}, {0, 0, 16384}, {8, 12795, 8}, {0, 0, 14321}, {0, -12787, 0}, 73249051u},
     {4, 0, 4, 4, 4, 5, {-16384, 0, 0}, {0, 16384, 0}, {16375, 8, 14329}, {0, 12787, 0}, {0, 0, -14321}, 73249051u},
     {8, 0, 9, 4, 5, 5, {0, 16384, 0}, {16384, 0, 0}, {8, 8, 14329}, {16367, 0, 0}, {0, 0, -14321}, 75005378u},
@@ -33,14 +33,14 @@ inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
     {32, 0, 30, 4, 5, 2, {0, -16384, 0}, {16384, 0, 0}, {8, 12795, 8}, {16367, 0, 0}, {0, 0, 7161}, 93763270u},
     {36, 1, 32, 4, 2, 2, {0, -16384, 0}, {0, 0, 16384}, {7261, 12795, 7169}, {0, 0, 1115}, {-1115, 0, 0}, 2486450u},
 };
-inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
+constexpr FIXRAD_IN_FLASH fixrad::CellRow kCellRows[] = {
     {0, 0, 4}, {5, 0, 4}, {10, 0, 4}, {15, 0, 4}, {20, 0, 3}, {24, 0, 3}, {28, 0, 3}, {32, 0, 3}, {36, 0, 3},
     {40, 0, 4}, {45, 0, 4}, {50, 0, 4}, {55, 0, 4}, {60, 0, 4}, {65, 0, 3}, {69, 0, 3}, {73, 0, 3},
     {77, 0, 3}, {81, 0, 3}, {85, 0, 4}, {90, 0, 4}, {95, 0, 4}, {100, 0, 4}, {105, 0, 4}, {110, 1, 3},
     {113, 2, 3}, {115, 0, 4}, {120, 2, 3}, {122, 0, 4}, {127, 1, 3}, {130, 0, 4}, {135, 1, 2}, {137, 0, 1},
     {139, 0, 1},
 };
-inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Element kElements[] = {
     {73249051u, {34, 44787, 5760}, 0, 0, 0}, {73249051u, {34, 44787, 17217}, 1, 0, 0},
     {73249051u, {34, 44787, 28674}, 2, 0, 0}, {73249051u, {34, 44787, 40131}, 3, 0, 0},
     {73249051u, {34, 44787, 51588}, 4, 0, 0}, {73249051u, {34, 32000, 5760}, 5, 0, 0},
@@ -113,7 +113,7 @@ inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
     {2486450u, {27929, 51178, 32021}, 138, 9, 1}, {2486450u, {25699, 51178, 29791}, 139, 9, 1},
     {2486450u, {25699, 51178, 32021}, 140, 9, 1},
 };
-inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Patch kPatches[] = {
     {{34, 44787, 5760}, 0, 0, 1}, {{34, 44787, 17217}, 0, 1, 1}, {{34, 44787, 28674}, 0, 2, 1},
     {{34, 44787, 40131}, 0, 3, 1}, {{34, 44787, 51588}, 0, 4, 1}, {{34, 32000, 5760}, 0, 5, 1},
     {{34, 32000, 17217}, 0, 6, 1}, {{34, 32000, 28674}, 0, 7, 1}, {{34, 32000, 40131}, 0, 8, 1},
@@ -165,7 +165,7 @@ inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
     {{27929, 51178, 29791}, 9, 137, 1}, {{27929, 51178, 32021}, 9, 138, 1},
     {{25699, 51178, 29791}, 9, 139, 1}, {{25699, 51178, 32021}, 9, 140, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kPatchElements[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28,
     29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54,
     55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80,
@@ -173,11 +173,11 @@ inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
     106, 107, 108, 109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126,
     127, 128, 129, 130, 131, 132, 133, 134, 135, 136, 137, 138, 139, 140,
 };
-inline constexpr FIXRAD_FLASH fixrad::Material kMaterials[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Material kMaterials[] = {
     {{4080218931u, 4080218931u, 4080218931u}, {0u, 0u, 0u}},
     {{4080218931u, 4080218931u, 4080218931u}, {2869030871u, 2869030871u, 2869030871u}},
 };
-inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {0u, 2u, 1}, {1u, 2u, 2}, {3u, 4294967295u, 4}, {7u, 2u, 2}, {9u, 5u, 2}, {11u, 4294967295u, 4},
     {15u, 7u, 2}, {17u, 4294967295u, 4}, {21u, 9u, 2}, {23u, 4294967295u, 4}, {27u, 9u, 1}, {28u, 9u, 2},
     {30u, 4294967295u, 4}, {34u, 12u, 2}, {36u, 4294967295u, 4}, {40u, 4294967295u, 4}, {44u, 4294967295u, 4},
@@ -222,7 +222,7 @@ inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {568u, 213u, 1}, {569u, 213u, 2}, {571u, 4294967295u, 4}, {575u, 213u, 2}, {577u, 213u, 1},
     {578u, 213u, 2}, {580u, 213u, 2}, {582u, 213u, 1}, {583u, 213u, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kMeshVertexElements[] = {
     0, 0, 1, 0, 1, 5, 6, 0, 5, 1, 2, 1, 2, 6, 7, 2, 3, 2, 3, 7, 8, 3, 4, 3, 4, 8, 9, 4, 4, 9, 5, 6, 10, 11, 5,
     10, 6, 7, 11, 12, 7, 8, 12, 13, 8, 9, 13, 14, 9, 14, 10, 11, 15, 16, 10, 15, 11, 12, 16, 17, 12, 13, 17,
     18, 13, 14, 18, 19, 14, 19, 15, 16, 15, 16, 17, 17, 18, 18, 19, 19, 20, 20, 21, 20, 21, 24, 25, 20, 24,
@@ -249,7 +249,7 @@ inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
     137, 138, 137, 138, 139, 140, 137, 139, 138, 138, 140, 139, 140, 139, 140,
 };
 
-inline fixrad::Scene scene() {
+static inline fixrad::Scene scene() {
   fixrad::Scene result = {};
   result.vertices = kVertices;
   result.corners = kCorners;
@@ -272,7 +272,7 @@ inline fixrad::Scene scene() {
   return result;
 }
 
-inline fixrad::VertexMap vertex_map() {
+static inline fixrad::VertexMap vertex_map() {
   fixrad::VertexMap result = {};
   result.vertices = kMeshVertices;
   result.elements = kMeshVertexElements;
@@ -280,7 +280,7 @@ inline fixrad::VertexMap vertex_map() {
   return result;
 }
 
-inline fixrad::Settings settings() {
+static inline fixrad::Settings settings() {
   fixrad::Settings result = {};
   result.engine = fixrad::lune_rows;
   result.table = &fixrad::kLune32;
@@ -302,11 +302,11 @@ constexpr uint64_t kDigest = 0x71cf518bd466d9eaull;
 constexpr uint32_t kShots = 3279u;
 constexpr uint32_t kEyes = 3311u;
 // A line a channel: emitted, absorbed, unshot, escaped, back; units of flux.
-inline constexpr FIXRAD_FLASH int64_t kLedger[][5] = {
+constexpr FIXRAD_IN_FLASH int64_t kLedger[][5] = {
     {53150220, 52631470, 518750, 0, 0},
 };
 // [element][channel], units of flux.
-inline constexpr FIXRAD_FLASH int32_t kReceived[] = {
+constexpr FIXRAD_IN_FLASH int32_t kReceived[] = {
     6934998, 7648773, 8019650, 7875747, 7002103, 7622102, 8579300, 8541267, 8534911, 7736866, 7744940,
     8363855, 8398621, 8588723, 7643449, 6953734, 7713900, 7560195, 7869853, 7119873, 6888148, 7564390,
     7313980, 6716974, 7572266, 8457937, 8087324, 7747432, 7544376, 8069406, 8075133, 7281147, 7480978,

@@ -12,16 +12,16 @@
 
 namespace white_room_small {
 
-inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Vertex kVertices[] = {
     {8, 12795, 8}, {8, 12795, 14329}, {8, 8, 14329}, {8, 8, 8}, {16375, 8, 14329}, {16375, 12795, 14329},
     {16375, 12795, 8}, {16375, 8, 8}, {7261, 12795, 8284}, {7261, 12795, 7169}, {6146, 12795, 8284},
     {6146, 12795, 7169},
 };
-inline constexpr FIXRAD_FLASH uint16_t kCorners[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kCorners[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 2, 4, 7, 3, 7, 6, 0, 3, 1, 5, 4, 2, 6, 5, 8, 9, 5, 1, 10, 8, 1, 0, 11, 10, 0, 6,
     9, 11, 9, 8, 10, 11,
 };
-inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Face kFaces[] = {
     {0, 0, 0, 4, 6, 6, {16384, 0, 0}, {0, 0, 16384}, {8, 12795, 8}, {0, 0, 14321}, {0, -12787, 0}, 40693917u},
     {4, 0, 6, 4, 6, 6, {-16384, 0, 0}, {0, 16384, 0}, {16375, 8, 14329}, {0, 12787, 0}, {0, 0, -14321}, 40693917u},
     {8, 0, 12, 4, 7, 6, {0, 16384, 0}, {16384, 0, 0}, {8, 8, 14329}, {16367, 0, 0}, {0, 0, -14321}, 44646058u},
@@ -33,7 +33,7 @@ inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
     {32, 0, 41, 4, 7, 3, {0, -16384, 0}, {16384, 0, 0}, {8, 12795, 8}, {16367, 0, 0}, {0, 0, 7161}, 44649176u},
     {36, 1, 44, 4, 2, 2, {0, -16384, 0}, {0, 0, 16384}, {7261, 12795, 7169}, {0, 0, 1115}, {-1115, 0, 0}, 2486450u},
 };
-inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
+constexpr FIXRAD_IN_FLASH fixrad::CellRow kCellRows[] = {
     {0, 0, 5}, {6, 0, 5}, {12, 0, 5}, {18, 0, 5}, {24, 0, 5}, {30, 0, 5}, {36, 0, 5}, {42, 0, 5}, {48, 0, 5},
     {54, 0, 5}, {60, 0, 5}, {66, 0, 5}, {72, 0, 6}, {79, 0, 6}, {86, 0, 6}, {93, 0, 6}, {100, 0, 6},
     {107, 0, 6}, {114, 0, 5}, {120, 0, 5}, {126, 0, 5}, {132, 0, 5}, {138, 0, 5}, {144, 0, 5}, {150, 0, 5},
@@ -41,7 +41,7 @@ inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
     {208, 2, 4}, {211, 2, 3}, {213, 0, 6}, {220, 2, 5}, {224, 3, 4}, {226, 0, 5}, {232, 1, 4}, {236, 2, 3},
     {238, 0, 6}, {245, 1, 4}, {249, 2, 3}, {251, 0, 1}, {253, 0, 1},
 };
-inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Element kElements[] = {
     {40693917u, {34, 46918, 4806}, 0, 0, 0}, {40693917u, {34, 46918, 14353}, 0, 0, 0},
     {40693917u, {34, 46918, 23900}, 1, 0, 0}, {40693917u, {34, 46918, 33448}, 1, 0, 0},
     {40693917u, {34, 46918, 42995}, 2, 0, 0}, {40693917u, {34, 46918, 52542}, 2, 0, 0},
@@ -171,7 +171,7 @@ inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
     {2486450u, {27929, 51178, 32021}, 74, 9, 1}, {2486450u, {25699, 51178, 29791}, 74, 9, 1},
     {2486450u, {25699, 51178, 32021}, 74, 9, 1},
 };
-inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Patch kPatches[] = {
     {{34, 42655, 9579}, 0, 0, 4}, {{34, 42655, 28674}, 0, 4, 4}, {{34, 42655, 47769}, 0, 8, 4},
     {{34, 25606, 9579}, 0, 12, 4}, {{34, 25606, 28674}, 0, 16, 4}, {{34, 25606, 47769}, 0, 20, 4},
     {{34, 8557, 9579}, 0, 24, 4}, {{34, 8557, 28674}, 0, 28, 4}, {{34, 8557, 47769}, 0, 32, 4},
@@ -199,7 +199,7 @@ inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
     {{12416, 51178, 7104}, 8, 238, 3}, {{28090, 51178, 9580}, 8, 241, 4}, {{45371, 51178, 7744}, 8, 245, 3},
     {{59265, 51178, 2481}, 8, 248, 1}, {{28036, 51178, 22796}, 8, 249, 2}, {{26814, 51178, 30906}, 9, 251, 4},
 };
-inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kPatchElements[] = {
     0, 1, 6, 7, 2, 3, 8, 9, 4, 5, 10, 11, 12, 13, 18, 19, 14, 15, 20, 21, 16, 17, 22, 23, 24, 25, 30, 31, 26,
     27, 32, 33, 28, 29, 34, 35, 36, 37, 42, 43, 38, 39, 44, 45, 40, 41, 46, 47, 48, 49, 54, 55, 50, 51, 56,
     57, 52, 53, 58, 59, 60, 61, 66, 67, 62, 63, 68, 69, 64, 65, 70, 71, 72, 73, 79, 80, 74, 75, 81, 82, 76,
@@ -213,11 +213,11 @@ inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
     234, 230, 231, 235, 236, 237, 238, 239, 245, 240, 241, 246, 247, 242, 243, 248, 244, 249, 250, 251, 252,
     253, 254,
 };
-inline constexpr FIXRAD_FLASH fixrad::Material kMaterials[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Material kMaterials[] = {
     {{4080218931u, 4080218931u, 4080218931u}, {0u, 0u, 0u}},
     {{4080218931u, 4080218931u, 4080218931u}, {2869030871u, 2869030871u, 2869030871u}},
 };
-inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {0u, 2u, 1}, {1u, 2u, 2}, {3u, 4294967295u, 4}, {7u, 2u, 2}, {9u, 5u, 2}, {11u, 4294967295u, 4},
     {15u, 7u, 2}, {17u, 4294967295u, 4}, {21u, 9u, 2}, {23u, 4294967295u, 4}, {27u, 11u, 2},
     {29u, 4294967295u, 4}, {33u, 11u, 1}, {34u, 11u, 2}, {36u, 4294967295u, 4}, {40u, 14u, 2},
@@ -295,7 +295,7 @@ inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {1035u, 349u, 2}, {1037u, 349u, 1}, {1038u, 349u, 2}, {1040u, 349u, 2}, {1042u, 349u, 1},
     {1043u, 349u, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kMeshVertexElements[] = {
     0, 0, 1, 0, 1, 6, 7, 0, 6, 1, 2, 1, 2, 7, 8, 2, 3, 2, 3, 8, 9, 3, 4, 3, 4, 9, 10, 4, 5, 4, 5, 10, 11, 5,
     5, 11, 6, 7, 12, 13, 6, 12, 7, 8, 13, 14, 8, 9, 14, 15, 9, 10, 15, 16, 10, 11, 16, 17, 11, 17, 12, 13, 18,
     19, 12, 18, 13, 14, 19, 20, 14, 15, 20, 21, 15, 16, 21, 22, 16, 17, 22, 23, 17, 23, 18, 19, 24, 25, 18,
@@ -344,7 +344,7 @@ inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
     251, 252, 253, 254, 251, 253, 252, 252, 254, 253, 254, 253, 254,
 };
 
-inline fixrad::Scene scene() {
+static inline fixrad::Scene scene() {
   fixrad::Scene result = {};
   result.vertices = kVertices;
   result.corners = kCorners;
@@ -367,7 +367,7 @@ inline fixrad::Scene scene() {
   return result;
 }
 
-inline fixrad::VertexMap vertex_map() {
+static inline fixrad::VertexMap vertex_map() {
   fixrad::VertexMap result = {};
   result.vertices = kMeshVertices;
   result.elements = kMeshVertexElements;
@@ -375,7 +375,7 @@ inline fixrad::VertexMap vertex_map() {
   return result;
 }
 
-inline fixrad::Settings settings() {
+static inline fixrad::Settings settings() {
   fixrad::Settings result = {};
   result.engine = fixrad::lune_rows;
   result.table = &fixrad::kLune16;
@@ -397,11 +397,11 @@ constexpr uint64_t kDigest = 0x9099c1a5a2d5669bull;
 constexpr uint32_t kShots = 1893u;
 constexpr uint32_t kEyes = 1966u;
 // A line a channel: emitted, absorbed, unshot, escaped, back; units of flux.
-inline constexpr FIXRAD_FLASH int64_t kLedger[][5] = {
+constexpr FIXRAD_IN_FLASH int64_t kLedger[][5] = {
     {53150220, 53102845, 47375, 0, 0},
 };
 // [element][channel], units of flux.
-inline constexpr FIXRAD_FLASH int32_t kReceived[] = {
+constexpr FIXRAD_IN_FLASH int32_t kReceived[] = {
     2928975, 3936113, 3748674, 4151409, 4068357, 3023170, 4245825, 4899844, 5384819, 4483392, 5335128,
     3887237, 3962026, 4485234, 5644595, 5040258, 5304177, 4331341, 4427172, 5264273, 4970446, 4535699,
     5180384, 3823938, 3760837, 4299492, 5336164, 4866900, 5273296, 4491978, 3152475, 3514068, 4253146,

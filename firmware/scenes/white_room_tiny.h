@@ -12,16 +12,16 @@
 
 namespace white_room_tiny {
 
-inline constexpr FIXRAD_FLASH fixrad::Vertex kVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Vertex kVertices[] = {
     {8, 12795, 8}, {8, 12795, 14329}, {8, 8, 14329}, {8, 8, 8}, {16375, 8, 14329}, {16375, 12795, 14329},
     {16375, 12795, 8}, {16375, 8, 8}, {7261, 12795, 8284}, {7261, 12795, 7169}, {6146, 12795, 8284},
     {6146, 12795, 7169},
 };
-inline constexpr FIXRAD_FLASH uint16_t kCorners[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kCorners[] = {
     0, 1, 2, 3, 4, 5, 6, 7, 2, 4, 7, 3, 7, 6, 0, 3, 1, 5, 4, 2, 6, 5, 8, 9, 5, 1, 10, 8, 1, 0, 11, 10, 0, 6,
     9, 11, 9, 8, 10, 11,
 };
-inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Face kFaces[] = {
     {0, 0, 0, 4, 4, 3, {16384, 0, 0}, {0, 0, 16384}, {8, 12795, 8}, {0, 0, 14321}, {0, -12787, 0}, 122081751u},
     {4, 0, 3, 4, 3, 4, {-16384, 0, 0}, {0, 16384, 0}, {16375, 8, 14329}, {0, 12787, 0}, {0, 0, -14321}, 122081751u},
     {8, 0, 7, 4, 4, 4, {0, 16384, 0}, {16384, 0, 0}, {8, 8, 14329}, {16367, 0, 0}, {0, 0, -14321}, 117195904u},
@@ -33,13 +33,13 @@ inline constexpr FIXRAD_FLASH fixrad::Face kFaces[] = {
     {32, 0, 24, 4, 4, 2, {0, -16384, 0}, {16384, 0, 0}, {8, 12795, 8}, {16367, 0, 0}, {0, 0, 7161}, 117204087u},
     {36, 1, 26, 4, 2, 2, {0, -16384, 0}, {0, 0, 16384}, {7261, 12795, 7169}, {0, 0, 1115}, {-1115, 0, 0}, 2486450u},
 };
-inline constexpr FIXRAD_FLASH fixrad::CellRow kCellRows[] = {
+constexpr FIXRAD_IN_FLASH fixrad::CellRow kCellRows[] = {
     {0, 0, 3}, {4, 0, 3}, {8, 0, 3}, {12, 0, 2}, {15, 0, 2}, {18, 0, 2}, {21, 0, 2}, {24, 0, 3}, {28, 0, 3},
     {32, 0, 3}, {36, 0, 3}, {40, 0, 2}, {43, 0, 2}, {46, 0, 2}, {49, 0, 2}, {52, 0, 3}, {56, 0, 3},
     {60, 0, 3}, {64, 0, 3}, {68, 1, 2}, {70, 0, 3}, {74, 1, 2}, {76, 0, 3}, {80, 1, 2}, {82, 0, 3},
     {86, 1, 2}, {88, 0, 1}, {90, 0, 1},
 };
-inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Element kElements[] = {
     {122081751u, {34, 42655, 7193}, 0, 0, 0}, {122081751u, {34, 42655, 21514}, 0, 0, 0},
     {122081751u, {34, 42655, 35835}, 1, 0, 0}, {122081751u, {34, 42655, 50155}, 1, 0, 0},
     {122081751u, {34, 25606, 7193}, 0, 0, 0}, {122081751u, {34, 25606, 21514}, 0, 0, 0},
@@ -87,7 +87,7 @@ inline constexpr FIXRAD_FLASH fixrad::Element kElements[] = {
     {2486450u, {27929, 51178, 29791}, 28, 9, 1}, {2486450u, {27929, 51178, 32021}, 28, 9, 1},
     {2486450u, {25699, 51178, 29791}, 28, 9, 1}, {2486450u, {25699, 51178, 32021}, 28, 9, 1},
 };
-inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Patch kPatches[] = {
     {{34, 34131, 14353}, 0, 0, 4}, {{34, 34131, 42995}, 0, 4, 4}, {{34, 8557, 14353}, 0, 8, 2},
     {{34, 8557, 42995}, 0, 10, 2}, {{65498, 17081, 42995}, 1, 12, 4}, {{65498, 42655, 42995}, 1, 16, 2},
     {{65498, 17081, 14353}, 1, 18, 4}, {{65498, 42655, 14353}, 1, 22, 2}, {{16399, 34, 42995}, 2, 24, 4},
@@ -99,17 +99,17 @@ inline constexpr FIXRAD_FLASH fixrad::Patch kPatches[] = {
     {{9319, 51178, 38422}, 7, 76, 3}, {{8215, 51178, 19127}, 7, 79, 3}, {{21214, 51178, 11337}, 8, 82, 3},
     {{43677, 51178, 8605}, 8, 85, 3}, {{26814, 51178, 30906}, 9, 88, 4},
 };
-inline constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kPatchElements[] = {
     0, 1, 4, 5, 2, 3, 6, 7, 8, 9, 10, 11, 12, 13, 15, 16, 14, 17, 18, 19, 21, 22, 20, 23, 24, 25, 28, 29, 26,
     27, 30, 31, 32, 33, 36, 37, 34, 35, 38, 39, 40, 41, 43, 44, 42, 45, 46, 47, 49, 50, 48, 51, 52, 53, 56,
     57, 54, 55, 58, 59, 60, 61, 62, 63, 64, 65, 68, 66, 67, 69, 70, 71, 74, 72, 73, 75, 76, 77, 80, 78, 79,
     81, 82, 83, 86, 84, 85, 87, 88, 89, 90, 91,
 };
-inline constexpr FIXRAD_FLASH fixrad::Material kMaterials[] = {
+constexpr FIXRAD_IN_FLASH fixrad::Material kMaterials[] = {
     {{4080218931u, 4080218931u, 4080218931u}, {0u, 0u, 0u}},
     {{4080218931u, 4080218931u, 4080218931u}, {2869030871u, 2869030871u, 2869030871u}},
 };
-inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
+constexpr FIXRAD_IN_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {0u, 2u, 1}, {1u, 2u, 2}, {3u, 4294967295u, 4}, {7u, 2u, 2}, {9u, 5u, 2}, {11u, 4294967295u, 4},
     {15u, 7u, 2}, {17u, 4294967295u, 4}, {21u, 7u, 1}, {22u, 7u, 2}, {24u, 4294967295u, 4}, {28u, 10u, 2},
     {30u, 4294967295u, 4}, {34u, 4294967295u, 4}, {38u, 13u, 2}, {40u, 10u, 2}, {42u, 10u, 1}, {43u, 12u, 2},
@@ -139,7 +139,7 @@ inline constexpr FIXRAD_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {355u, 4294967295u, 3}, {358u, 144u, 1}, {359u, 144u, 2}, {361u, 4294967295u, 4}, {365u, 144u, 2},
     {367u, 144u, 1}, {368u, 144u, 2}, {370u, 144u, 2}, {372u, 144u, 1}, {373u, 144u, 1},
 };
-inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kMeshVertexElements[] = {
     0, 0, 1, 0, 1, 4, 5, 0, 4, 1, 2, 1, 2, 5, 6, 2, 3, 2, 3, 6, 7, 3, 3, 7, 4, 5, 8, 9, 4, 8, 5, 6, 9, 10, 6,
     7, 10, 11, 7, 11, 8, 9, 8, 9, 10, 10, 11, 11, 12, 12, 13, 12, 13, 15, 16, 12, 15, 13, 14, 13, 14, 16, 17,
     14, 14, 17, 15, 16, 18, 19, 15, 18, 16, 17, 19, 20, 17, 20, 18, 19, 21, 22, 18, 21, 19, 20, 22, 23, 20,
@@ -156,7 +156,7 @@ inline constexpr FIXRAD_FLASH uint16_t kMeshVertexElements[] = {
     87, 84, 85, 64, 84, 85, 68, 86, 87, 88, 88, 89, 88, 89, 90, 91, 88, 90, 89, 89, 91, 90, 91, 90, 91,
 };
 
-inline fixrad::Scene scene() {
+static inline fixrad::Scene scene() {
   fixrad::Scene result = {};
   result.vertices = kVertices;
   result.corners = kCorners;
@@ -179,7 +179,7 @@ inline fixrad::Scene scene() {
   return result;
 }
 
-inline fixrad::VertexMap vertex_map() {
+static inline fixrad::VertexMap vertex_map() {
   fixrad::VertexMap result = {};
   result.vertices = kMeshVertices;
   result.elements = kMeshVertexElements;
@@ -187,7 +187,7 @@ inline fixrad::VertexMap vertex_map() {
   return result;
 }
 
-inline fixrad::Settings settings() {
+static inline fixrad::Settings settings() {
   fixrad::Settings result = {};
   result.engine = fixrad::lune_rows;
   result.table = &fixrad::kLune16;
@@ -209,11 +209,11 @@ constexpr uint64_t kDigest = 0xff46d386a8a34477ull;
 constexpr uint32_t kShots = 834u;
 constexpr uint32_t kEyes = 1075u;
 // A line a channel: emitted, absorbed, unshot, escaped, back; units of flux.
-inline constexpr FIXRAD_FLASH int64_t kLedger[][5] = {
+constexpr FIXRAD_IN_FLASH int64_t kLedger[][5] = {
     {53150220, 52619988, 530232, 0, 0},
 };
 // [element][channel], units of flux.
-inline constexpr FIXRAD_FLASH int32_t kReceived[] = {
+constexpr FIXRAD_IN_FLASH int32_t kReceived[] = {
     10262738, 14115249, 14060198, 10647962, 13383487, 15806118, 15433416, 13279136, 11176193, 13358878,
     12604790, 10747406, 10615478, 12736390, 10367701, 12901895, 15453875, 13253864, 12468356, 14710740,
     13471825, 11086239, 13347274, 9239592, 11698092, 12735326, 12609848, 11539491, 12863527, 14070258,

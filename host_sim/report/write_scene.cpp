@@ -95,7 +95,7 @@ std::string record_of(const Ledger& l) {
 // `declaration = {records};`, lines filled.
 template <class T>
 void append_table(std::string& text, std::string_view declaration, const T* records, std::size_t count) {
-  text += "inline constexpr FIXRAD_FLASH ";
+  text += "constexpr FIXRAD_IN_FLASH ";
   text += declaration;
   text += " = {";
   std::size_t width = kLineWidth;  // the first record begins a line
@@ -167,7 +167,7 @@ void append_scene_tables(std::string& text, const SceneTable& table) {
 // An inline function whose value is `type` with the given members.
 void append_function(std::string& text, const std::string& type, const std::string& name,
                      const std::vector<std::pair<const char*, std::string>>& members) {
-  text += "\ninline fixrad::" + type + " " + name + "() {\n  fixrad::" + type + " result = {};\n";
+  text += "\nstatic inline fixrad::" + type + " " + name + "() {\n  fixrad::" + type + " result = {};\n";
   for (const auto& [member, value] : members) {
     text += std::string("  result.") + member + " = " + value + ";\n";
   }

@@ -19,7 +19,7 @@ void print_head() {
 
 template <class T>
 void print_table(const char* type, const std::string& name, const std::vector<T>& values) {
-  std::printf("constexpr FIXRAD_FLASH %s %s[] = {", type, name.c_str());
+  std::printf("constexpr FIXRAD_IN_FLASH %s %s[] = {", type, name.c_str());
   for (std::size_t i = 0; i < values.size(); ++i) {
     std::printf("%s%u,", i % 16 == 0 ? "\n    " : " ", static_cast<unsigned>(values[i]));
   }
@@ -39,7 +39,7 @@ void print_hemicube(int resolution) {
   print_head();
   print_table("uint16_t", "kTop", data.top);
   print_table("uint16_t", "kSide", data.side);
-  std::printf("}  // namespace\n\nconst FIXRAD_FLASH DeltaTable kDelta%d = {%d, kTop, kSide, nullptr};\n\n",
+  std::printf("}  // namespace\n\nconst FIXRAD_IN_FLASH DeltaTable kDelta%d = {%d, kTop, kSide, nullptr};\n\n",
               resolution, log2_of(resolution));
   std::printf("}  // namespace fixrad\n");
 }
@@ -52,7 +52,7 @@ void print_lunes() {
   }
   std::printf("}  // namespace\n\n");
   for (int k = 2; k <= 7; ++k) {
-    std::printf("const FIXRAD_FLASH DeltaTable kLune%d = {%d, kHalfRow, nullptr, kCosine%d};\n", 1 << k, k,
+    std::printf("const FIXRAD_IN_FLASH DeltaTable kLune%d = {%d, kHalfRow, nullptr, kCosine%d};\n", 1 << k, k,
                 1 << k);
   }
   std::printf("\n}  // namespace fixrad\n");

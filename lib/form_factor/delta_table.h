@@ -28,8 +28,8 @@ struct DeltaTable {
 
 constexpr int kDeltaSumLog2 = 20;
 
-extern const FIXRAD_FLASH DeltaTable kDelta8, kDelta16, kDelta32, kDelta64, kDelta128;
-extern const FIXRAD_FLASH DeltaTable kLune4, kLune8, kLune16, kLune32, kLune64, kLune128;
+extern const FIXRAD_IN_FLASH DeltaTable kDelta8, kDelta16, kDelta32, kDelta64, kDelta128;
+extern const FIXRAD_IN_FLASH DeltaTable kLune4, kLune8, kLune16, kLune32, kLune64, kLune128;
 
 constexpr int kLunePartsLog2 = 8;
 constexpr int kLuneParts = 1 << kLunePartsLog2;

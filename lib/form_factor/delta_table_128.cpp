@@ -6,7 +6,7 @@
 namespace fixrad {
 namespace {
 
-constexpr FIXRAD_FLASH uint16_t kTop[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kTop[] = {
     81, 163, 244, 325, 406, 486, 566, 645, 724, 802, 879, 955, 1031, 1106, 1179, 1252,
     1324, 1394, 1464, 1532, 1599, 1665, 1729, 1792, 1854, 1915, 1974, 2032, 2089, 2145, 2199, 2251,
     2303, 2353, 2402, 2450, 2496, 2541, 2585, 2628, 2669, 2710, 2749, 2787, 2824, 2860, 2895, 2929,
@@ -265,7 +265,7 @@ constexpr FIXRAD_FLASH uint16_t kTop[] = {
     856, 868, 880, 892, 903, 914, 926, 936, 947, 958, 968, 978, 988, 997, 1007, 1016,
 };
 
-constexpr FIXRAD_FLASH uint16_t kSide[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kSide[] = {
     1, 1, 2, 3, 3, 4, 4, 5, 6, 6, 7, 7, 8, 9, 9, 10,
     10, 11, 11, 12, 12, 13, 13, 14, 14, 15, 15, 16, 16, 17, 17, 17,
     18, 18, 19, 19, 19, 20, 20, 20, 21, 21, 21, 22, 22, 22, 22, 23,
@@ -526,6 +526,6 @@ constexpr FIXRAD_FLASH uint16_t kSide[] = {
 
 }  // namespace
 
-const FIXRAD_FLASH DeltaTable kDelta128 = {7, kTop, kSide, nullptr};
+const FIXRAD_IN_FLASH DeltaTable kDelta128 = {7, kTop, kSide, nullptr};
 
 }  // namespace fixrad

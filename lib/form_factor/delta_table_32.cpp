@@ -6,7 +6,7 @@
 namespace fixrad {
 namespace {
 
-constexpr FIXRAD_FLASH uint16_t kTop[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kTop[] = {
     1297, 2574, 3813, 4997, 6113, 7154, 8112, 8987, 9778, 10490, 11126, 11692, 12194, 12639, 13031, 13378,
     1277, 2535, 3755, 4921, 6022, 7048, 7993, 8857, 9639, 10342, 10971, 11532, 12029, 12470, 12859, 13203,
     1239, 2459, 3643, 4775, 5845, 6843, 7764, 8606, 9370, 10057, 10673, 11222, 11710, 12143, 12525, 12864,
@@ -25,7 +25,7 @@ constexpr FIXRAD_FLASH uint16_t kTop[] = {
     347, 691, 1029, 1360, 1680, 1988, 2283, 2563, 2828, 3076, 3308, 3525, 3726, 3911, 4082, 4240,
 };
 
-constexpr FIXRAD_FLASH uint16_t kSide[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kSide[] = {
     41, 80, 119, 156, 191, 223, 253, 281, 305, 328, 348, 365, 381, 395, 407, 418,
     120, 237, 351, 461, 564, 660, 748, 829, 902, 968, 1027, 1079, 1126, 1167, 1204, 1236,
     193, 384, 568, 745, 912, 1068, 1212, 1343, 1462, 1570, 1666, 1752, 1828, 1895, 1955, 2008,
@@ -46,6 +46,6 @@ constexpr FIXRAD_FLASH uint16_t kSide[] = {
 
 }  // namespace
 
-const FIXRAD_FLASH DeltaTable kDelta32 = {5, kTop, kSide, nullptr};
+const FIXRAD_IN_FLASH DeltaTable kDelta32 = {5, kTop, kSide, nullptr};
 
 }  // namespace fixrad

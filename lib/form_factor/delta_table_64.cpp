@@ -6,7 +6,7 @@
 namespace fixrad {
 namespace {
 
-constexpr FIXRAD_FLASH uint16_t kTop[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kTop[] = {
     326, 650, 972, 1290, 1603, 1910, 2210, 2503, 2787, 3062, 3328, 3583, 3829, 4063, 4288, 4501,
     4705, 4898, 5081, 5254, 5418, 5573, 5718, 5856, 5985, 6107, 6222, 6330, 6431, 6526, 6616, 6700,
     324, 647, 968, 1285, 1597, 1903, 2202, 2494, 2777, 3051, 3316, 3570, 3815, 4049, 4272, 4485,
@@ -73,7 +73,7 @@ constexpr FIXRAD_FLASH uint16_t kTop[] = {
     1308, 1372, 1433, 1493, 1550, 1606, 1660, 1711, 1761, 1809, 1856, 1900, 1943, 1984, 2023, 2061,
 };
 
-constexpr FIXRAD_FLASH uint16_t kSide[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kSide[] = {
     5, 10, 15, 20, 25, 30, 35, 39, 44, 48, 52, 56, 60, 64, 67, 71,
     74, 77, 80, 82, 85, 87, 90, 92, 94, 96, 98, 99, 101, 102, 104, 105,
     15, 30, 45, 60, 75, 89, 103, 117, 130, 143, 155, 167, 179, 190, 200, 210,
@@ -142,6 +142,6 @@ constexpr FIXRAD_FLASH uint16_t kSide[] = {
 
 }  // namespace
 
-const FIXRAD_FLASH DeltaTable kDelta64 = {6, kTop, kSide, nullptr};
+const FIXRAD_IN_FLASH DeltaTable kDelta64 = {6, kTop, kSide, nullptr};
 
 }  // namespace fixrad

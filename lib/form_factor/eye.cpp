@@ -11,7 +11,7 @@ struct Turn {
 // Angle i is frac((i + 1/2) * 0.6180339887) * 90 degrees, the golden-ratio sequence: any run of it covers the
 // quarter turn evenly. None is 0: there rows are parallel to the borders of elements in a rectangular room,
 // and where a border lies on the middle of a row, the last bit decides about the whole row.
-constexpr FIXRAD_FLASH Turn kTurnTable[kTurns] = {
+constexpr FIXRAD_IN_FLASH Turn kTurnTable[kTurns] = {
     {14491, 7644}, {1873, 16277}, {10736, 12376}, {15849, 4152}, {5522, 15425},  {13267, 9613},
     {16378, 443},  {8882, 13768}, {15104, 6348},  {3289, 16050}, {11777, 11390}, {16151, 2751},
     {6849, 14884}, {14057, 8417}, {990, 16354},   {10051, 12938}};

@@ -6,7 +6,7 @@
 namespace fixrad {
 namespace {
 
-constexpr FIXRAD_FLASH uint16_t kHalfRow[] = {
+constexpr FIXRAD_IN_FLASH uint16_t kHalfRow[] = {
     164, 329, 495, 662, 831, 1001, 1172, 1345, 1519, 1694, 1871, 2049, 2228, 2408, 2590, 2773,
     2958, 3143, 3331, 3519, 3709, 3900, 4092, 4286, 4480, 4677, 4874, 5073, 5273, 5474, 5677, 5881,
     6086, 6292, 6499, 6708, 6918, 7129, 7341, 7555, 7769, 7985, 8202, 8420, 8639, 8859, 9080, 9302,
@@ -25,28 +25,28 @@ constexpr FIXRAD_FLASH uint16_t kHalfRow[] = {
     32765, 32765, 32766, 32766, 32767, 32767, 32767, 32768, 32768, 32768, 32768, 32768, 32768, 32768, 32768, 32768,
 };
 
-constexpr FIXRAD_FLASH int16_t kCosine4[] = {
+constexpr FIXRAD_IN_FLASH int16_t kCosine4[] = {
     1983, 1355,
 };
 
-constexpr FIXRAD_FLASH int16_t kCosine8[] = {
+constexpr FIXRAD_IN_FLASH int16_t kCosine8[] = {
     2032, 1899, 1599, 991,
 };
 
-constexpr FIXRAD_FLASH int16_t kCosine16[] = {
+constexpr FIXRAD_IN_FLASH int16_t kCosine16[] = {
     2044, 2012, 1945, 1842, 1693, 1487, 1194, 713,
 };
 
-constexpr FIXRAD_FLASH int16_t kCosine32[] = {
+constexpr FIXRAD_IN_FLASH int16_t kCosine32[] = {
     2047, 2039, 2023, 1998, 1965, 1923, 1871, 1809, 1735, 1648, 1545, 1424, 1278, 1099, 866, 508,
 };
 
-constexpr FIXRAD_FLASH int16_t kCosine64[] = {
+constexpr FIXRAD_IN_FLASH int16_t kCosine64[] = {
     2048, 2046, 2042, 2036, 2028, 2018, 2005, 1991, 1974, 1956, 1935, 1911, 1885, 1857, 1826, 1792,
     1755, 1715, 1671, 1624, 1573, 1517, 1456, 1390, 1317, 1237, 1148, 1047, 931, 794, 620, 361,
 };
 
-constexpr FIXRAD_FLASH int16_t kCosine128[] = {
+constexpr FIXRAD_IN_FLASH int16_t kCosine128[] = {
     2048, 2047, 2046, 2045, 2043, 2040, 2037, 2034, 2030, 2025, 2020, 2015, 2009, 2002, 1995, 1987,
     1979, 1970, 1961, 1951, 1940, 1929, 1917, 1905, 1892, 1878, 1864, 1849, 1834, 1817, 1800, 1783,
     1764, 1745, 1725, 1704, 1682, 1660, 1636, 1611, 1586, 1559, 1531, 1502, 1472, 1440, 1407, 1373,
@@ -55,11 +55,11 @@ constexpr FIXRAD_FLASH int16_t kCosine128[] = {
 
 }  // namespace
 
-const FIXRAD_FLASH DeltaTable kLune4 = {2, kHalfRow, nullptr, kCosine4};
-const FIXRAD_FLASH DeltaTable kLune8 = {3, kHalfRow, nullptr, kCosine8};
-const FIXRAD_FLASH DeltaTable kLune16 = {4, kHalfRow, nullptr, kCosine16};
-const FIXRAD_FLASH DeltaTable kLune32 = {5, kHalfRow, nullptr, kCosine32};
-const FIXRAD_FLASH DeltaTable kLune64 = {6, kHalfRow, nullptr, kCosine64};
-const FIXRAD_FLASH DeltaTable kLune128 = {7, kHalfRow, nullptr, kCosine128};
+const FIXRAD_IN_FLASH DeltaTable kLune4 = {2, kHalfRow, nullptr, kCosine4};
+const FIXRAD_IN_FLASH DeltaTable kLune8 = {3, kHalfRow, nullptr, kCosine8};
+const FIXRAD_IN_FLASH DeltaTable kLune16 = {4, kHalfRow, nullptr, kCosine16};
+const FIXRAD_IN_FLASH DeltaTable kLune32 = {5, kHalfRow, nullptr, kCosine32};
+const FIXRAD_IN_FLASH DeltaTable kLune64 = {6, kHalfRow, nullptr, kCosine64};
+const FIXRAD_IN_FLASH DeltaTable kLune128 = {7, kHalfRow, nullptr, kCosine128};
 
 }  // namespace fixrad

@@ -103,8 +103,8 @@ void distribute(State& state, const Flux* amount) {
       continue;
     }
     left -= part;
-    const FIXRAD_FLASH Element& element = flash_at(scene.elements, e);
-    const FIXRAD_FLASH Material& material = flash_at(scene.materials, element.material);
+    const Element& element = flash_at(scene.elements, e);
+    const Material& material = flash_at(scene.materials, element.material);
     int32_t* received = state.received + static_cast<uint32_t>(e) * scene.channels;
     int32_t* unshot = unshot_of(state, element.patch);
     for (int c = 0; c < channels; ++c) {

@@ -9,7 +9,8 @@
 #include "tests/device/random.h"
 #include "tests/device/testing.h"
 
-namespace fixrad::device_test {
+namespace fixrad {
+namespace device_test {
 namespace {
 
 constexpr int32_t kMostFlux = 2147483647;
@@ -233,4 +234,5 @@ TEST(Fraction, RoundsDownInUq032) {
 }
 
 }  // namespace
-}  // namespace fixrad::device_test
+}  // namespace device_test
+}  // namespace fixrad

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "tests/device/box_scene.h"
 
-namespace fixrad::device_test {
+namespace fixrad {
+namespace device_test {
 namespace {
 
 constexpr uint32_t kCellArea = 4096ul * 4096ul * 8ul;  // UQ29.3
 
-constexpr FIXRAD_FLASH Vertex kVertices[] = {{0, 0, 0},       {8192, 0, 0},      {0, 8192, 0},
+constexpr FIXRAD_IN_FLASH Vertex kVertices[] = {{0, 0, 0},       {8192, 0, 0},      {0, 8192, 0},
                                              {8192, 8192, 0}, {0, 0, 8192},      {8192, 0, 8192},
                                              {0, 8192, 8192}, {8192, 8192, 8192}};
 
-constexpr FIXRAD_FLASH uint16_t kCorners[] = {0, 2, 6, 4, 1, 5, 7, 3, 0, 4, 5, 1,
+constexpr FIXRAD_IN_FLASH uint16_t kCorners[] = {0, 2, 6, 4, 1, 5, 7, 3, 0, 4, 5, 1,
                                               2, 3, 7, 6, 0, 1, 3, 2, 4, 6, 7, 5};
 
 // Faces in the order -x +x -y +y -z +z, each with a material of the same index.
-constexpr FIXRAD_FLASH Face kFaces[] = {
+constexpr FIXRAD_IN_FLASH Face kFaces[] = {
     {0, 0, 0, 4, 2, 2, {16384, 0, 0}, {0, 16384, 0}, {0, 0, 0}, {0, 8192, 0}, {0, 0, 8192}, kCellArea},
     {4, 1, 2, 4, 2, 2, {-16384, 0, 0}, {0, 0, 16384}, {8192, 0, 0}, {0, 0, 8192}, {0, 8192, 0}, kCellArea},
     {8, 2, 4, 4, 2, 2, {0, 16384, 0}, {0, 0, 16384}, {0, 0, 0}, {0, 0, 8192}, {8192, 0, 0}, kCellArea},
@@ -22,11 +23,11 @@ constexpr FIXRAD_FLASH Face kFaces[] = {
     {16, 4, 8, 4, 2, 2, {0, 0, 16384}, {16384, 0, 0}, {0, 0, 0}, {8192, 0, 0}, {0, 8192, 0}, kCellArea},
     {20, 5, 10, 4, 2, 2, {0, 0, -16384}, {0, 16384, 0}, {0, 0, 8192}, {0, 8192, 0}, {8192, 0, 0}, kCellArea}};
 
-constexpr FIXRAD_FLASH CellRow kCellRows[] = {{0, 0, 1},  {2, 0, 1},  {4, 0, 1},  {6, 0, 1},
+constexpr FIXRAD_IN_FLASH CellRow kCellRows[] = {{0, 0, 1},  {2, 0, 1},  {4, 0, 1},  {6, 0, 1},
                                               {8, 0, 1},  {10, 0, 1}, {12, 0, 1}, {14, 0, 1},
                                               {16, 0, 1}, {18, 0, 1}, {20, 0, 1}, {22, 0, 1}};
 
-constexpr FIXRAD_FLASH Element kElements[] = {
+constexpr FIXRAD_IN_FLASH Element kElements[] = {
     {kCellArea, {2, 8192, 8192}, 0, 0, 0},      {kCellArea, {2, 24576, 8192}, 0, 0, 0},
     {kCellArea, {2, 8192, 24576}, 0, 0, 0},     {kCellArea, {2, 24576, 24576}, 0, 0, 0},
     {kCellArea, {32766, 8192, 8192}, 1, 1, 1},  {kCellArea, {32766, 8192, 24576}, 1, 1, 1},
@@ -40,11 +41,11 @@ constexpr FIXRAD_FLASH Element kElements[] = {
     {kCellArea, {8192, 8192, 32766}, 5, 5, 5},  {kCellArea, {8192, 24576, 32766}, 5, 5, 5},
     {kCellArea, {24576, 8192, 32766}, 5, 5, 5}, {kCellArea, {24576, 24576, 32766}, 5, 5, 5}};
 
-constexpr FIXRAD_FLASH Patch kPatches[] = {{{2, 16384, 16384}, 0, 0, 4},  {{32766, 16384, 16384}, 1, 4, 4},
+constexpr FIXRAD_IN_FLASH Patch kPatches[] = {{{2, 16384, 16384}, 0, 0, 4},  {{32766, 16384, 16384}, 1, 4, 4},
                                            {{16384, 2, 16384}, 2, 8, 4},  {{16384, 32766, 16384}, 3, 12, 4},
                                            {{16384, 16384, 2}, 4, 16, 4}, {{16384, 16384, 32766}, 5, 20, 4}};
 
-constexpr FIXRAD_FLASH uint16_t kPatchElements[] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11,
+constexpr FIXRAD_IN_FLASH uint16_t kPatchElements[] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11,
                                                     12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23};
 
 }  // namespace
@@ -91,4 +92,5 @@ Status run(BoxSolver& solver) {
   return status;
 }
 
-}  // namespace fixrad::device_test
+}  // namespace device_test
+}  // namespace fixrad

@@ -3,7 +3,8 @@
 
 #include "lib/fixrad.h"
 
-namespace fixrad::device_test {
+namespace fixrad {
+namespace device_test {
 
 constexpr uint8_t kElementsPerFace = 4;
 
@@ -27,4 +28,5 @@ BoxSolver& box_solver();
 /// Steps until the status is not ok; returns it.
 Status run(BoxSolver& solver);
 
-}  // namespace fixrad::device_test
+}  // namespace device_test
+}  // namespace fixrad

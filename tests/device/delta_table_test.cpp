@@ -4,7 +4,8 @@
 #include "lib/form_factor/row.h"
 #include "tests/device/testing.h"
 
-namespace fixrad::device_test {
+namespace fixrad {
+namespace device_test {
 namespace {
 
 void expect_sum_one(const FIXRAD_FLASH DeltaTable& in_flash, uint8_t resolution) {
@@ -90,4 +91,5 @@ TEST(DeltaTable, RunsFromZeroToTheWholeRow) {
 }
 
 }  // namespace
-}  // namespace fixrad::device_test
+}  // namespace device_test
+}  // namespace fixrad

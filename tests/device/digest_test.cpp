@@ -4,7 +4,8 @@
 
 #include "tests/device/testing.h"
 
-namespace fixrad::device_test {
+namespace fixrad {
+namespace device_test {
 namespace {
 
 constexpr uint64_t kOffsetBasis = 0xcbf29ce484222325;
@@ -58,4 +59,5 @@ TEST(Digest, ChangesWithEveryBit) {
 }
 
 }  // namespace
-}  // namespace fixrad::device_test
+}  // namespace device_test
+}  // namespace fixrad

@@ -4,7 +4,8 @@
 
 #include "tests/device/testing.h"
 
-namespace fixrad::device_test {
+namespace fixrad {
+namespace device_test {
 namespace {
 
 enum class Colour : uint8_t { red, green };
@@ -76,4 +77,5 @@ TEST(Passing, NearIncludesTheTolerance) {
 }
 
 }  // namespace
-}  // namespace fixrad::device_test
+}  // namespace device_test
+}  // namespace fixrad

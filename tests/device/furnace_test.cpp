@@ -3,14 +3,15 @@
 #include "tests/device/box_scene.h"
 #include "tests/device/testing.h"
 
-namespace fixrad::device_test {
+namespace fixrad {
+namespace device_test {
 namespace {
 
 #define FIXRAD_SIX(...) \
   { __VA_ARGS__, __VA_ARGS__, __VA_ARGS__, __VA_ARGS__, __VA_ARGS__, __VA_ARGS__ }
 
-constexpr FIXRAD_FLASH Material kHalf[6] = FIXRAD_SIX({{0x80000000, 0, 0}, {kEmission, 0, 0}});
-constexpr FIXRAD_FLASH Material kNineTenths[6] = FIXRAD_SIX({{0xe6666666, 0, 0}, {kEmission, 0, 0}});
+constexpr FIXRAD_IN_FLASH Material kHalf[6] = FIXRAD_SIX({{0x80000000, 0, 0}, {kEmission, 0, 0}});
+constexpr FIXRAD_IN_FLASH Material kNineTenths[6] = FIXRAD_SIX({{0xe6666666, 0, 0}, {kEmission, 0, 0}});
 
 // One eye a face does not see the far elements of its neighbours as the whole face would: the means over
 // faces are what one eye gets right, by symmetry. `expected` is kEmitted / (1 - reflectance).
@@ -52,4 +53,5 @@ TEST(Furnace, TheAmbientEstimateIsExactBeforeTheFirstShot) {
 }
 
 }  // namespace
-}  // namespace fixrad::device_test
+}  // namespace device_test
+}  // namespace fixrad

@@ -4,10 +4,12 @@
 
 #include "firmware/boards/board.h"
 
-namespace fixrad::board {
+namespace fixrad {
+namespace board {
 
 void write(const char* text) {
   std::fputs(text, stdout);
 }
 
-}  // namespace fixrad::board
+}  // namespace board
+}  // namespace fixrad

@@ -2,11 +2,12 @@
 #include "tests/device/box_scene.h"
 #include "tests/device/testing.h"
 
-namespace fixrad::device_test {
+namespace fixrad {
+namespace device_test {
 namespace {
 
 // A lamp (+y) over coloured walls.
-constexpr FIXRAD_FLASH Material kLampAndWalls[6] = {
+constexpr FIXRAD_IN_FLASH Material kLampAndWalls[6] = {
     {{0xc0000000, 0x20000000, 0x80000000}, {0, 0, 0}}, {{0x20000000, 0xc0000000, 0x80000000}, {0, 0, 0}},
     {{0xb3333333, 0xb3333333, 0xb3333333}, {0, 0, 0}}, {{0, 0, 0}, {kEmission, kEmission / 2, kEmission / 3}},
     {{0xe6666666, 0xe6666666, 0xe6666666}, {0, 0, 0}}, {{1, 0x7fffffff, 0xd0000000}, {0, 0, 0}}};
@@ -103,4 +104,5 @@ TEST(Shot, MovesTheWholeFluxOfTheBrightestPatch) {
 }
 
 }  // namespace
-}  // namespace fixrad::device_test
+}  // namespace device_test
+}  // namespace fixrad

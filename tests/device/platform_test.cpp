@@ -6,7 +6,8 @@
 #include "lib/fixrad.h"
 #include "tests/device/testing.h"
 
-namespace fixrad::device_test {
+namespace fixrad {
+namespace device_test {
 namespace {
 
 static_assert(CHAR_BIT == 8, "records are counted in bytes of eight bits");
@@ -64,4 +65,5 @@ TEST(Platform, ASolverIsAsLargeAsTheFormulaSays) {
 }
 
 }  // namespace
-}  // namespace fixrad::device_test
+}  // namespace device_test
+}  // namespace fixrad

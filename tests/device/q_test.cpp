@@ -3,7 +3,8 @@
 
 #include "tests/device/testing.h"
 
-namespace fixrad::device_test {
+namespace fixrad {
+namespace device_test {
 namespace {
 
 TEST(QFormat, SumsStayInTheirFormat) {
@@ -38,4 +39,5 @@ TEST(QFormat, AFormatIsAsLargeAsItsInteger) {
 }
 
 }  // namespace
-}  // namespace fixrad::device_test
+}  // namespace device_test
+}  // namespace fixrad

@@ -3,7 +3,8 @@
 
 #include <stdint.h>
 
-namespace fixrad::device_test {
+namespace fixrad {
+namespace device_test {
 
 /// A linear congruential generator (Knuth's MMIX constants), the same numbers on every target.
 class Random {
@@ -22,4 +23,5 @@ class Random {
   uint64_t state_;
 };
 
-}  // namespace fixrad::device_test
+}  // namespace device_test
+}  // namespace fixrad

@@ -5,7 +5,8 @@
 #include "tests/device/random.h"
 #include "tests/device/testing.h"
 
-namespace fixrad::device_test {
+namespace fixrad {
+namespace device_test {
 namespace {
 
 constexpr uint32_t kHemicube = static_cast<uint32_t>(1) << kDeltaSumLog2;
@@ -99,4 +100,5 @@ TEST(FormFactorRow, IsEmptyAfterClear) {
 }
 
 }  // namespace
-}  // namespace fixrad::device_test
+}  // namespace device_test
+}  // namespace fixrad

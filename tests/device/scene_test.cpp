@@ -3,7 +3,8 @@
 #include "firmware/scenes/closed_box_tiny.h"
 #include "tests/device/testing.h"
 
-namespace fixrad::device_test {
+namespace fixrad {
+namespace device_test {
 namespace {
 
 namespace box = closed_box_tiny;
@@ -56,4 +57,5 @@ TEST(ExportedScene, SteppingWithPausesHasTheSameDigest) {
 }
 
 }  // namespace
-}  // namespace fixrad::device_test
+}  // namespace device_test
+}  // namespace fixrad

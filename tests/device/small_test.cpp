@@ -3,7 +3,8 @@
 
 #include "firmware/boards/board.h"
 
-namespace fixrad::small_test {
+namespace fixrad {
+namespace small_test {
 namespace {
 
 // There before the first constructor runs, in whatever file it stands.
@@ -87,4 +88,5 @@ int run_all() {
   return passed > 0 && failed == 0 ? 0 : 1;
 }
 
-}  // namespace fixrad::small_test
+}  // namespace small_test
+}  // namespace fixrad

@@ -9,7 +9,8 @@
 
 #include "lib/fixed/flash.h"
 
-namespace fixrad::small_test {
+namespace fixrad {
+namespace small_test {
 
 /// One TEST; constructing it enters it into the list that run_all() goes through.
 class Case {
@@ -62,14 +63,15 @@ int run_all();
 
 namespace {
 /// The file that is being compiled, not this header.
-constexpr FIXRAD_FLASH char kFile[] = __BASE_FILE__;
+constexpr FIXRAD_IN_FLASH char kFile[] = __BASE_FILE__;
 }  // namespace
 
-}  // namespace fixrad::small_test
+}  // namespace small_test
+}  // namespace fixrad
 
 #define TEST(suite, name)                                                                          \
   static void suite##_##name();                                                                    \
-  static constexpr FIXRAD_FLASH char suite##_##name##_text[] = #suite "." #name;                   \
+  static constexpr FIXRAD_IN_FLASH char suite##_##name##_text[] = #suite "." #name;                   \
   static ::fixrad::small_test::Case suite##_##name##_case(suite##_##name##_text, &suite##_##name); \
   static void suite##_##name()
 
@@ -81,7 +83,7 @@ constexpr FIXRAD_FLASH char kFile[] = __BASE_FILE__;
     const auto fixrad_a = (a);                                              \
     const auto fixrad_b = (b);                                              \
     if (!(fixrad_a op fixrad_b)) {                                          \
-      static constexpr FIXRAD_FLASH char fixrad_text[] = #a " " #op " " #b; \
+      static constexpr FIXRAD_IN_FLASH char fixrad_text[] = #a " " #op " " #b; \
       FIXRAD_FAIL(fixrad_text, ::fixrad::small_test::value_of(fixrad_a),    \
                   ::fixrad::small_test::value_of(fixrad_b));                \
       otherwise;                                                            \
@@ -91,7 +93,7 @@ constexpr FIXRAD_FLASH char kFile[] = __BASE_FILE__;
 #define FIXRAD_HOLDS(condition, text, otherwise)               \
   do {                                                         \
     if (!(condition)) {                                        \
-      static constexpr FIXRAD_FLASH char fixrad_text[] = text; \
+      static constexpr FIXRAD_IN_FLASH char fixrad_text[] = text; \
       FIXRAD_FAIL(fixrad_text);                                \
       otherwise;                                               \
     }                                                          \
@@ -102,7 +104,7 @@ constexpr FIXRAD_FLASH char kFile[] = __BASE_FILE__;
     const auto fixrad_a = (a);                                                             \
     const auto fixrad_b = (b);                                                             \
     if (!::fixrad::small_test::is_near(fixrad_a, fixrad_b, tolerance)) {                   \
-      static constexpr FIXRAD_FLASH char fixrad_text[] = #a " near " #b " by " #tolerance; \
+      static constexpr FIXRAD_IN_FLASH char fixrad_text[] = #a " near " #b " by " #tolerance; \
       FIXRAD_FAIL(fixrad_text, ::fixrad::small_test::value_of(fixrad_a),                   \
                   ::fixrad::small_test::value_of(fixrad_b));                               \
       otherwise;                                                                           \

@@ -3,10 +3,11 @@
 #include "tests/device/box_scene.h"
 #include "tests/device/testing.h"
 
-namespace fixrad::device_test {
+namespace fixrad {
+namespace device_test {
 namespace {
 
-constexpr FIXRAD_FLASH Material kGrey[6] = {
+constexpr FIXRAD_IN_FLASH Material kGrey[6] = {
     {{0x80000000, 0, 0}, {kEmission, 0, 0}}, {{0x80000000, 0, 0}, {kEmission, 0, 0}},
     {{0x80000000, 0, 0}, {kEmission, 0, 0}}, {{0x80000000, 0, 0}, {kEmission, 0, 0}},
     {{0x80000000, 0, 0}, {kEmission, 0, 0}}, {{0x80000000, 0, 0}, {kEmission, 0, 0}}};
@@ -145,4 +146,5 @@ TEST(Lunes, ReachTheClosedFormFromTheMiddleOfAFace) {
 }
 
 }  // namespace
-}  // namespace fixrad::device_test
+}  // namespace device_test
+}  // namespace fixrad

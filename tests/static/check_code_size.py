@@ -24,19 +24,22 @@ def main():
     with open(options.map, encoding="utf-8") as file:
         text = file.read()
     placed = text.split("Linker script and memory map", 1)[-1]  # before it: what was left out
-    sizes = {"code": 0, "tables": 0, "inline": 0}
+    sizes, files = {"code": 0, "tables": 0, "inline": 0}, {}
     for section, size, path in ENTRY.findall(placed):
         of_library = f"{options.library}(" in path
-        if of_library and section.startswith(".text"):
-            sizes["code"] += int(size, 16)
-        elif of_library and section.startswith(".rodata"):
-            sizes["tables"] += int(size, 16)
-        elif path.endswith("/" + options.object) and section.startswith(".text"):
-            sizes["inline"] += int(size, 16)
+        is_program = path.endswith("/" + options.object)
+        kinds = {"text": "code", "rodata": "tables"} if of_library else {"text": "inline"} if is_program else {}
+        kind = kinds.get(section.split(".")[1])
+        if kind:
+            sizes[kind] += int(size, 16)
+            name = re.split(r"[/(]", path.rstrip(")"))[-1]
+            files[name] = files.get(name, 0) + int(size, 16)
     total = sum(sizes.values())
     if not all(sizes.values()):
         print(f"{options.map}: found nothing of one kind: {sizes}")
         return 1
+    for name, size in sorted(files.items(), key=lambda item: -item[1]):
+        print(f"{size:6d} {name}")
     print(f"code and tables: {total} bytes of {options.budget}: " + ", ".join(f"{k} {v}" for k, v in sizes.items()))
     return 0 if total <= options.budget else 1
 

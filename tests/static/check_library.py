@@ -30,7 +30,7 @@ FORBIDDEN = (
     ("soft float", re.compile(r"__aeabi_(f|d|i2f|i2d|ui2f|ui2d|l2f|l2d|ul2f|ul2d|cf|cd)|__\w+[sdt]f[0-9]?$|__\w*[sdt]f\w+i$")),
     ("heap", re.compile(r"(m|c|re)alloc$|free$|_?_?sbrk|_Zn[aw]|_Zd[al]")),
     ("exception", re.compile(r"__cxa_(throw|allocate|begin|end|rethrow)|_Unwind|__gxx_personality|__aeabi_unwind")),
-    ("guard of a static object", re.compile(r"__cxa_(guard|atexit)|__aeabi_atexit|__dso_handle")),
+    ("guard of a static object", re.compile(r"__cxa_(guard|atexit)|__aeabi_atexit|atexit$|__dso_handle")),
     ("constructor of a static object", re.compile(r"__do_global_[cd]tors")),
     ("output", re.compile(r"v?f?s?n?i?printf|puts|putchar|abort|__assert")),
 )

@@ -203,10 +203,15 @@ def main():
     parser.add_argument("--prefix", default="", help="of the target's tools, as avr-")
     parser.add_argument("--budget", type=int, required=True, metavar="BYTES")
     parser.add_argument("--root", help="only what this function uses; default: the deepest of all")
+    parser.add_argument("--leaf", action="append", default=[], metavar="NAME",
+                        help="a function in assembly that uses no stack and calls nothing")
     parser.add_argument("objects", nargs="+")
     options = parser.parse_args()
     try:
-        depths = Depths(read_objects(options.objects, options.prefix), options.prefix)
+        functions = read_objects(options.objects, options.prefix)
+        for name in options.leaf:
+            functions.setdefault(name, Function(name)).frame = 0
+        depths = Depths(functions, options.prefix)
         titles = [t for name, ts in depths.by_name.items() for t in ts if options.root in (None, name)]
         if not titles:
             raise Refused(f"no function {options.root or ''} to start from")

@@ -33,7 +33,8 @@ extern "C" __attribute__((naked, used, section(".init3"))) void paint_all() {
       : "i"(fixrad::board::kPaint));
 }
 
-namespace fixrad::board {
+namespace fixrad {
+namespace board {
 
 void write(const char* text) {
   for (; *text != '\0'; ++text) {
@@ -49,7 +50,8 @@ void exit(int code) {
   }
 }
 
-}  // namespace fixrad::board
+}  // namespace board
+}  // namespace fixrad
 
 // Called with what main() returns.
 void exit(int code) {

@@ -38,7 +38,8 @@ inline void enable_fpu() {
 
 }  // namespace
 
-namespace fixrad::board {
+namespace fixrad {
+namespace board {
 
 void write(const char* text) {
   semihosting(kSysWrite0, text);
@@ -51,7 +52,8 @@ void exit(int code) {
   }
 }
 
-}  // namespace fixrad::board
+}  // namespace board
+}  // namespace fixrad
 
 void reset_handler() {
   fixrad::board::paint_stack();

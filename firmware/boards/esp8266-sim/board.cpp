@@ -17,7 +17,8 @@ int main();
 void simulator_write(const char* text, uint32_t bytes);
 }
 
-namespace fixrad::board {
+namespace fixrad {
+namespace board {
 
 void write(const char* text) {
   uint32_t bytes = 0;
@@ -31,7 +32,8 @@ void exit(int code) {
   simulator_exit(code);
 }
 
-}  // namespace fixrad::board
+}  // namespace board
+}  // namespace fixrad
 
 void start() {
   fixrad::board::paint_stack();

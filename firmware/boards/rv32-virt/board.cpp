@@ -33,7 +33,8 @@ constexpr uint32_t kFail = 0x3333;  // the exit code in the upper half
 
 }  // namespace
 
-namespace fixrad::board {
+namespace fixrad {
+namespace board {
 
 void write(const char* text) {
   for (; *text != '\0'; ++text) {
@@ -49,7 +50,8 @@ void exit(int code) {
   }
 }
 
-}  // namespace fixrad::board
+}  // namespace board
+}  // namespace fixrad
 
 void start() {
   fixrad::board::paint_stack();
