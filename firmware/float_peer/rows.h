@@ -3,17 +3,18 @@
 
 #include <stdint.h>
 
-#include "firmware/float_peer/delta_table.h"
+#include "firmware/float_peer/lune_table.h"
 #include "firmware/float_peer/view.h"
 #include "lib/scene/status.h"
 
 namespace fixrad {
 namespace peer {
 
-/// A row of form factors, 2^-20: share[j] of what a shooter sends arrives at element j.
+/// A row of form factors: share[j] / whole of what a shooter sends arrives at element j.
 struct FormFactorRow {
   float* share;  ///< [count]
   uint16_t count;
+  float whole;    ///< all of the row: the number of lunes that an eye was sampled with
   float escaped;  ///< hits nothing
   float back;     ///< the nearest hit is a back face
 };
@@ -29,14 +30,14 @@ struct EyeSample {
   bool back_faces;  ///< back faces block; without, the scene must be closed
 };
 
-/// Hemicube rows: adds the form factors from one eye point to all elements to `row`, `weight` times kRowOne
-/// in all. Returns ok, or span_pool_full (`row` is then to be thrown away).
-Status hemicube_rows(const Scene& scene, const DeltaTable& table, const EyeSample& sample, Workspace& work,
-                     FormFactorRow& row);
+/// Lune rows: adds the form factors from one eye point to all elements to `row`, `weight` R in all; row.whole
+/// becomes R. Returns ok, or span_pool_full (`row` is then to be thrown away).
+Status lune_rows(const Scene& scene, const LuneTable& table, const EyeSample& sample, Workspace& work,
+                 FormFactorRow& row);
 
-/// Fraction of the hemicube's top that is hidden: the nearest face shows its back or, where `nothing_hides`,
+/// Fraction of the hemisphere that is hidden: the nearest face shows its back or, where `nothing_hides`,
 /// there is no face at all. Statuses as above.
-Status hidden_share(const Scene& scene, const DeltaTable& table, const EyePoint& eye, bool nothing_hides,
+Status hidden_share(const Scene& scene, const LuneTable& table, const EyePoint& eye, bool nothing_hides,
                     Workspace& work, float& share);
 
 }  // namespace peer

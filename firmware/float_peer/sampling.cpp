@@ -24,9 +24,9 @@ EyePoint eye_at(State& state, Vec3 position, uint16_t face) {
   return eye;
 }
 
-Status look(State& state, const DeltaTable& table, const EyePoint& eye, float weight, bool is_whole) {
+Status look(State& state, const LuneTable& table, const EyePoint& eye, float weight, bool is_whole) {
   const EyeSample sample = {eye, weight, is_whole, !state.is_closed};
-  const Status status = hemicube_rows(state.scene, table, sample, state.work, state.row);
+  const Status status = lune_rows(state.scene, table, sample, state.work, state.row);
   state.eyes += status == Status::ok ? 1u : 0u;
   return status;
 }
@@ -56,7 +56,7 @@ Status sample_centroid(State& state, const EyeSource& source, KnownEyes& known) 
   }
   const Status status = look(state, state.coarse, eye, 1.0f, true);
   if (status == Status::ok && (known & kCentroidClear) == 0) {
-    const bool buried = state.row.back > kBuriedShare * kRowOne;
+    const bool buried = state.row.back > kBuriedShare * state.row.whole;
     known = static_cast<KnownEyes>(known | (buried ? kCentroidBuried : kCentroidClear));
     if (buried) {
       ++state.withdrawn;
@@ -67,7 +67,7 @@ Status sample_centroid(State& state, const EyeSource& source, KnownEyes& known) 
 }
 
 void keep_light(State& state, const EyeSource& source) {
-  const float part = kRowOne / static_cast<float>(source.count);
+  const float part = 1.0f / static_cast<float>(source.count);  // row.whole is 1
   for (uint16_t i = 0; i < source.count; ++i) {
     state.row.share[source_element(state.scene, source, i)] += part;
   }
@@ -79,9 +79,7 @@ class EyeSet {
       : state_(state), source_(source), level_(level), count_(candidate_count(source, level)) {}
 
   // Probes every candidate, unless all are known to be clear; `total` is the weight of those that are.
-  Status choose(KnownEyes& known) {
-    const bool is_known = (known & all_clear(level_)) != 0;
-    bool is_clear = true;
+  Status choose() {
     for (uint16_t i = 0; i < count_; ++i) {
       const EyeCandidate candidate = eye_candidate(state_.scene, source_, level_, i);
       if (candidate.weight == 0) {
@@ -89,17 +87,15 @@ class EyeSet {
       }
       bool buried = false;
       const Status status =
-          is_known ? Status::ok : is_buried(state_, {candidate.position, source_.face, 0}, buried);
+          source_.is_clear ? Status::ok : is_buried(state_, {candidate.position, source_.face, 0}, buried);
       if (status != Status::ok) {
         return status;
       }
-      is_clear = is_clear && !buried;
       if (!buried) {
         chosen_[i / 8] = static_cast<uint8_t>(chosen_[i / 8] | 1u << (i % 8));
         total_ += weight_of(state_, candidate.element) * static_cast<float>(candidate.weight);
       }
     }
-    known = static_cast<KnownEyes>(known | (is_clear ? all_clear(level_) : 0));
     return Status::ok;
   }
 
@@ -136,6 +132,7 @@ class EyeSet {
 
 Status sample_source(State& state, const EyeSource& source, uint16_t wanted, KnownEyes& known) {
   clear(state.row);
+  known = source.is_clear ? kCentroidClear : known;
   int level = level_for(source, wanted);
   if (level == 0) {
     if ((known & kCentroidBuried) == 0) {
@@ -148,7 +145,7 @@ Status sample_source(State& state, const EyeSource& source, uint16_t wanted, Kno
   }
   for (; level <= kFinestLevel && candidate_count(source, level) <= kMaxEyes; ++level) {
     EyeSet eyes(state, source, level);
-    const Status status = eyes.choose(known);
+    const Status status = eyes.choose();
     if (status != Status::ok) {
       return status;
     }

@@ -7,7 +7,7 @@ namespace fixrad {
 namespace peer {
 
 /// Fills state.row with the form factors of `source`, seen from as many balanced eye points as `wanted` asks
-/// for: the core's rules, positions (lib/elements) and order of the hemicube's turns; weights in float.
+/// for: the core's rules, positions (lib/elements) and order of turns; weights in float.
 /// Returns ok, or span_pool_full with the row unusable.
 Status sample_source(State& state, const EyeSource& source, uint16_t wanted, KnownEyes& known);
 

@@ -11,113 +11,79 @@ constexpr float kInFront = 1.0f / 64;
 // An end that lies off the row wherever the row is.
 constexpr float kFarOff = 1.0e30f;
 
-// From the axes of one side to those of the next: the top's (x, y, z) become (y, z, x); from then on a
-// quarter turn about the normal, (-z, y, x).
-void turn_to(uint8_t side, Vector& v) {
-  v = side == 1 ? Vector{v.y, v.z, v.x} : Vector{-v.z, v.y, v.x};
-}
-
 float magnitude(float a) {
   return __builtin_fabsf(a);
 }
 
-uint8_t outside_rows(const VertexView& v, uint8_t bottom, uint8_t rows) {
-  const bool above_first = v.is_above(bottom);
-  const bool above_last = v.is_above(static_cast<uint8_t>(rows - 1));
-  return above_first && above_last ? kAboveRows : (!above_first && !above_last ? kBelowRows : 0);
+// How many rows are below height t.
+uint8_t rows_below(const LuneTable& table, float t) {
+  const uint8_t half = table.size / 2;
+  const float distance = magnitude(t);
+  uint8_t low = 0, high = half;
+  while (low < high) {
+    const uint8_t middle = static_cast<uint8_t>((low + high) / 2);
+    if (flash_at(table.lunes, middle).tangent < distance) {
+      low = static_cast<uint8_t>(middle + 1);
+    } else {
+      high = middle;
+    }
+  }
+  return static_cast<uint8_t>(t < 0.0f ? half - low : half + low);
 }
 
-// Row r lies at r + 1/2 - half, so a vertex at height t is above the rows r < t + half + 1/2.
-uint8_t row_limit(float t, uint8_t half) {
-  const int32_t limit = static_cast<int32_t>(t + (static_cast<float>(half) + 0.5f));
-  return static_cast<uint8_t>(limit < 0 ? 0 : (limit > 2 * half ? 2 * half : limit));
-}
-
-void project(VertexView& v, uint8_t bottom, uint8_t half) {
+void project(const LuneTable& table, float highest, VertexView& v) {
   const Vector p = v.offset;
-  const float size = static_cast<float>(half);
-  if (p.z > kInFront) {
-    const float s = size / p.z;
+  v.is_in_front = p.z > kInFront;
+  if (v.is_in_front) {
+    const float s = 1.0f / p.z;
     v.px = p.x * s;
     v.py = p.y * s;
-    v.limit = row_limit(v.py, half);
-    v.outside = magnitude(v.px) <= size ? 0 : (v.px > 0.0f ? kOutsideRight : kOutsideLeft);
-  } else {
-    const float depth = magnitude(p.z);
-    v.limit = magnitude(p.y) < depth ? row_limit(size * p.y / p.z, half)
-                                     : static_cast<uint8_t>(p.y > 0.0f ? 0 : 2 * half);
-    const uint8_t sideways =
-        magnitude(p.x) < depth ? kOutsideRight | kOutsideLeft : (p.x > 0.0f ? kOutsideRight : kOutsideLeft);
-    v.outside = static_cast<uint8_t>(kOutsideBehind | sideways);
+    v.limit = rows_below(table, v.py);
+    return;
   }
-  v.outside = static_cast<uint8_t>(v.outside | outside_rows(v, bottom, static_cast<uint8_t>(2 * half)));
+  const float depth = magnitude(p.z);
+  if (magnitude(p.y) < highest * depth) {
+    v.limit = rows_below(table, -p.y / depth);
+  } else {
+    v.limit = p.y > 0.0f ? static_cast<uint8_t>(0) : table.size;
+  }
 }
 
 const VertexView& corner(const Scene& scene, const VertexView* vertices, const FaceView& view, uint8_t k) {
-  return vertices[read(scene.corners, static_cast<unsigned>(view.first_corner) + k)];
+  return vertices[flash_read(scene.corners, static_cast<unsigned>(view.first_corner) + k)];
 }
 
 // A face that reaches behind the eye may cross any row.
-void find_rows(const Scene& scene, uint8_t bottom, uint8_t rows, const VertexView* vertices, FaceView& view) {
-  uint8_t all = 0xff, any = 0, lowest = rows, highest = 0;
+void find_rows(const Scene& scene, uint8_t rows, const VertexView* vertices, FaceView& view) {
+  bool any_in_front = false, any_behind = false;
+  uint8_t lowest = rows, highest = 0;
   for (uint8_t k = 0; k < view.corner_count; ++k) {
     const VertexView& v = corner(scene, vertices, view, k);
-    all = static_cast<uint8_t>(all & v.outside);
-    any = static_cast<uint8_t>(any | v.outside);
+    (v.is_in_front ? any_in_front : any_behind) = true;
     lowest = v.limit < lowest ? v.limit : lowest;
     highest = v.limit > highest ? v.limit : highest;
   }
-  const bool reaches_behind = (any & kOutsideBehind) != 0;
-  view.begin_row = reaches_behind || lowest < bottom ? bottom : lowest;
-  view.end_row = all != 0 ? 0 : (reaches_behind ? rows : highest);
-}
-
-void start_function(float y, float size, RowFunction& f) {
-  f.at_row = f.slope.y * y + f.slope.z * size;
-}
-
-void start_face(uint8_t half, FaceView& view) {
-  view.left_edge = view.right_edge = kNoEdge;
+  view.begin_row = any_behind ? 0 : lowest;
+  view.end_row = any_in_front ? (any_behind ? rows : highest) : 0;
   view.change_row = view.begin_row;
-  const float size = static_cast<float>(half);
-  const float y = static_cast<float>(view.begin_row) + (0.5f - size);
-  start_function(y, size, view.depth);
-  if (view.has_u()) {
-    start_function(y, size, view.u);
-  }
-  if (view.has_v()) {
-    start_function(y, size, view.v);
-  }
-}
-
-void step_face(FaceView& view) {
-  view.left.x += view.left.step;
-  view.right.x += view.right.step;
-  view.depth.at_row += view.depth.slope.y;
-  if (view.has_u()) {
-    view.u.at_row += view.u.slope.y;
-  }
-  if (view.has_v()) {
-    view.v.at_row += view.v.slope.y;
-  }
+  view.left_edge = view.right_edge = kNoEdge;
 }
 
 // With both ends in front the edge runs between their images, measured from the end that is farther from the
-// plane of the eye, whose image is not far off. Otherwise its plane through the eye is cut with the row; it
-// meets the row in front of the eye if `reach` is above 0, else the face leaves the row at `behind`.
-EdgeCursor start_edge(const VertexView& below, const VertexView& above, float y, float size, float behind) {
-  if (below.in_front() && above.in_front()) {
+// plane of the eye, whose image is not far off. Otherwise its plane through the eye is cut with the rows; it
+// meets them in front of the eye if its normal's x is below 0, else the face leaves the row at `behind`.
+EdgeCursor start_edge(const VertexView& below, const VertexView& above, float behind) {
+  if (below.is_in_front && above.is_in_front) {
     const VertexView& anchor = below.offset.z > above.offset.z ? below : above;
-    const float step = (above.px - below.px) / (above.py - below.py);
-    return {anchor.px + (y - anchor.py) * step, step};
+    const float slope = (above.px - below.px) / (above.py - below.py);
+    return {anchor.px - anchor.py * slope, slope};
   }
   const Vector e = cross(below.offset, above.offset);
   if (!(e.x < 0.0f)) {
     return {behind, 0.0f};
   }
   const float s = -1.0f / e.x;
-  const float step = e.y * s;
-  return {e.z * s * size + y * step, step};
+  return {e.z * s, e.y * s};
 }
 
 struct Crossings {
@@ -127,13 +93,13 @@ struct Crossings {
 };
 
 // Of several edges on one side the outermost counts.
-void meet_edge(bool is_left, uint8_t edge, const EdgeCursor& met, Crossings& found) {
+void meet_edge(bool is_left, uint8_t edge, float y, const EdgeCursor& met, Crossings& found) {
   if (is_left) {
-    if (found.lefts++ == 0 || met.x < found.left.x) {
+    if (found.lefts++ == 0 || met.at(y) < found.left.at(y)) {
       found.left = met;
       found.left_edge = edge;
     }
-  } else if (found.rights++ == 0 || met.x > found.right.x) {
+  } else if (found.rights++ == 0 || met.at(y) > found.right.at(y)) {
     found.right = met;
     found.right_edge = edge;
   }
@@ -142,9 +108,8 @@ void meet_edge(bool is_left, uint8_t edge, const EdgeCursor& met, Crossings& fou
 // Seen from the eye with z away from it, a front face runs clockwise in (x, y): its rising edges are on the
 // left. An edge that the face keeps goes on as it is. Where rounding has bent a face, the next row asks
 // again.
-void find_edges(const Scene& scene, uint8_t row, float size, const VertexView* vertices, FaceView& view) {
+void find_edges(const Scene& scene, uint8_t row, float y, const VertexView* vertices, FaceView& view) {
   Crossings found = {{kFarOff, 0.0f}, {-kFarOff, 0.0f}, kNoEdge, kNoEdge, 0, 0};
-  const float y = static_cast<float>(row) + (0.5f - size);
   uint8_t change = 0xff;
   uint8_t from = static_cast<uint8_t>(view.corner_count - 1);
   const VertexView* a = &corner(scene, vertices, view, from);
@@ -156,10 +121,8 @@ void find_edges(const Scene& scene, uint8_t row, float size, const VertexView* v
       const bool is_left = b_above != view.is_back;
       const bool is_kept = (is_left ? view.left_edge : view.right_edge) == from;
       const EdgeCursor& kept = is_left ? view.left : view.right;
-      meet_edge(is_left, from,
-                is_kept
-                    ? kept
-                    : start_edge(b_above ? *a : *b, b_above ? *b : *a, y, size, is_left ? -kFarOff : kFarOff),
+      const float behind = is_left ? -kFarOff : kFarOff;
+      meet_edge(is_left, from, y, is_kept ? kept : start_edge(b_above ? *a : *b, b_above ? *b : *a, behind),
                 found);
     }
     a = b;
@@ -169,7 +132,7 @@ void find_edges(const Scene& scene, uint8_t row, float size, const VertexView* v
   view.right = found.right;
   view.left_edge = found.left_edge;
   view.right_edge = found.right_edge;
-  if (found.left.x == -kFarOff && found.right.x == kFarOff) {  // both meet the row behind the eye
+  if (found.left.at_zero == -kFarOff && found.right.at_zero == kFarOff) {  // both meet the row behind the eye
     view.left = {kFarOff, 0.0f};
     view.left_edge = view.right_edge = kNoEdge;
   }
@@ -177,41 +140,25 @@ void find_edges(const Scene& scene, uint8_t row, float size, const VertexView* v
 
 }  // namespace
 
-void enter_side(const Scene& scene, uint8_t side, uint8_t half, Workspace& work) {
-  const uint8_t bottom = first_row(side, half);
+void enter_rows(const Scene& scene, const LuneTable& table, Workspace& work) {
+  const float highest = flash_read(table.lunes, table.size / 2 - 1u).tangent;
   for (uint16_t i = 0; i < scene.vertex_count; ++i) {
-    if (side != kTop) {
-      turn_to(side, work.vertices[i].offset);
-    }
-    project(work.vertices[i], bottom, half);
+    project(table, highest, work.vertices[i]);
   }
   for (uint16_t i = 0; i < work.view_count; ++i) {
-    FaceView& view = work.views[i];
-    if (side != kTop) {
-      turn_to(side, view.depth.slope);
-      if (view.has_u()) {
-        turn_to(side, view.u.slope);
-      }
-      if (view.has_v()) {
-        turn_to(side, view.v.slope);
-      }
-    }
-    find_rows(scene, bottom, static_cast<uint8_t>(2 * half), work.vertices, view);
-    if (view.begin_row < view.end_row) {
-      start_face(half, view);
-    }
+    find_rows(scene, table.size, work.vertices, work.views[i]);
   }
 }
 
-Interval face_interval(const Scene& scene, uint8_t row, float size, const VertexView* vertices,
-                       FaceView& view) {
-  if (row != view.begin_row) {
-    step_face(view);
-  }
+Interval face_interval(const Scene& scene, uint8_t row, float y, const VertexView* vertices, FaceView& view) {
   if (row == view.change_row) {
-    find_edges(scene, row, size, vertices, view);
+    find_edges(scene, row, y, vertices, view);
   }
-  return {view.left.x < -size ? -size : view.left.x, view.right.x > size ? size : view.right.x};
+  if (view.left_edge == kNoEdge) {
+    return {0.0f, 0.0f};
+  }
+  const float left = view.left.at(y), right = view.right.at(y);
+  return {left < -kRowEnd ? -kRowEnd : left, right > kRowEnd ? kRowEnd : right};
 }
 
 }  // namespace peer

@@ -72,8 +72,8 @@ uint16_t wanted_eyes(const State& state, const Scan& scan) {
 float patch_area(const Scene& scene, const Patch& patch) {
   uint32_t area = 0;  // at most the largest plane section of the grid, below 2^32
   for (uint16_t i = 0; i < patch.element_count; ++i) {
-    const uint16_t e = read(scene.patch_elements, static_cast<unsigned>(patch.first_element) + i);
-    area += read(scene.elements, e).area;
+    const uint16_t e = flash_read(scene.patch_elements, static_cast<unsigned>(patch.first_element) + i);
+    area += flash_read(scene.elements, e).area;
   }
   return static_cast<float>(area);
 }
@@ -81,8 +81,8 @@ float patch_area(const Scene& scene, const Patch& patch) {
 // What the patch will still receive if the ambient estimate is right, but never more than its own unshot
 // flux.
 void add_loans(const State& state, uint16_t index, Channels& amount) {
-  const Patch patch = read(state.scene.patches, index);
-  const uint16_t material = read(state.scene.faces, patch.face).material;
+  const Patch patch = flash_read(state.scene.patches, index);
+  const uint16_t material = flash_read(state.scene.faces, patch.face).material;
   const Channels reflectance = reflectance_of(state.scene, material);
   const float area = patch_area(state.scene, patch);
   for (uint8_t c = 0; c < state.scene.channels; ++c) {
@@ -98,7 +98,7 @@ void add_loans(const State& state, uint16_t index, Channels& amount) {
   }
 }
 
-// What one unit of the row, 2^-20 of the shot, brings.
+// What one unit of the row brings.
 struct Parts {
   Channels sent, reflected;
 };
@@ -114,7 +114,7 @@ void distribute(State& state, const Channels& sent) {
     if (share == 0.0f) {
       continue;
     }
-    const Element element = read(scene.elements, e);
+    const Element element = flash_read(scene.elements, e);
     if (element.material != material) {
       material = element.material;
       const Channels reflectance = reflectance_of(scene, material);
@@ -155,9 +155,10 @@ Status shoot(State& state) {
   if (state.overshoot && !is_converged(state, scan, kOvershootUntil)) {
     add_loans(state, scan.brightest, amount);
   }
+  const float part_of_shot = 1.0f / state.row.whole;
   for (uint8_t c = 0; c < state.scene.channels; ++c) {
     unshot[c] -= amount.c[c];
-    amount.c[c] *= 1.0f / kRowOne;
+    amount.c[c] *= part_of_shot;
   }
   const auto distribute_channels = state.scene.channels == 1   ? distribute<1>
                                    : state.scene.channels == 2 ? distribute<2>

@@ -5,26 +5,28 @@
 // processor. It is a yardstick, not a product.
 //
 // The same as in the core: the scene's tables in flash; eye points, their number, order, turns and weights;
-// the probe for buried eyes; hemicube rows of the same resolution with sub-pixel ends; visibility between
-// faces by 1/depth; the element grid; shooting, overshooting, stop rule; vertex radiosity. What is sampled is
-// the same, so shots and eyes are about the same; near ties fall differently.
+// the probe for buried eyes; lune rows of the same resolutions with ends anywhere along the row; visibility
+// between faces by 1/depth; the element grid; patches, shooting, overshooting, stop rule; vertex radiosity.
+// Which rows a vertex is above is found once an eye. What is sampled is the same, so shots and eyes are about
+// the same; near ties fall differently.
 //
 // What differs is what float makes natural, and cheap where every operation is a call:
 //
 // Flux, form factors, positions and planes are `float`. Parts need not be cut from running sums, and the
 // ledger balances within rounding only.
 //
-// A vertex in front of the eye has an image on the side (one division). An edge between two images is stepped
-// from row to row by one sum. Which edges cross is asked anew only where a vertex of the face is passed.
+// A float has range enough for the plane in front of the eye: lunes are lines of that plane, positions are x
+// itself, not folded, and everything on a row is linear in x. A vertex in front of the eye has an image on
+// the plane (one division). An edge between two images is a line: its crossing costs one product a row and no
+// division. Which edges cross is asked anew only where a vertex of the face is passed.
 //
 // 1/depth is one linear function a face, scaled by its height: differences of it are compared without further
-// products, and it is the denominator of the cell coordinates too.
+// products, and it is the denominator of the cell coordinates too. A reciprocal at each end of a visible
+// interval tells how many element borders lie between; each then costs one division.
 //
-// Linear functions are stepped from row to row. A reciprocal at each end of a visible interval tells how many
-// element borders lie between; each then costs one division.
-//
-// Delta form factors are a table of floats (intercept and slope of each pixel), as an integer would have to
-// be converted at every look-up. A material is converted once for each run of elements that share it.
+// The running sum along a lune is a table of straight lines; exponent and first bits of a position say which.
+// The row of a lone eye is not scaled at all: a row of form factors knows what its whole is. A material is
+// converted once for each run of elements that share it.
 //
 // Integers only where they count or compare rows, and for the offset of a vertex from the eye before it
 // becomes a float. Only <stdint.h>; no double, no library function but the compiler's own arithmetic.
@@ -34,7 +36,7 @@
 namespace fixrad {
 namespace peer {
 
-/// As fixrad::Solver, with the same limits (fixrad::Limits); rows only. Not to be copied or moved.
+/// As fixrad::Solver, with the same limits (fixrad::Limits); lune_rows only. Not to be copied or moved.
 template <class L>
 class Solver {
  public:
@@ -43,16 +45,16 @@ class Solver {
   Solver& operator=(const Solver&) = delete;
 
   /// Checks `scene` with the core's check_scene() and starts its solution; anything but ok leaves the solver
-  /// as it was. item_buffer_too_small: the peer has no delta form factors of that resolution (R is 8, 16 or
-  /// 32).
+  /// as it was. item_buffer_too_small: another engine, or a resolution that the peer has no lunes for (R is
+  /// 4, 8, 16 or 32).
   [[nodiscard]] Status load(const Scene& scene, const Settings& settings = {}) {
     Status status = check_scene(scene, {L::vertices, L::faces, L::elements, L::patches, L::channels});
-    if (status == Status::ok && (settings.engine != fixrad::hemicube_rows || !has_tables(settings))) {
+    if (status == Status::ok && (settings.engine != fixrad::lune_rows || !has_tables(settings))) {
       status = Status::item_buffer_too_small;
     }
     if (status == Status::ok) {
       state_.work = {vertices_, views_, spans_, L::spans, 0};
-      state_.row = {share_, scene.element_count, 0.0f, 0.0f};
+      state_.row = {share_, scene.element_count, 1.0f, 0.0f, 0.0f};
       state_.received = received_;
       state_.unshot = unshot_;
       state_.known_eyes = known_eyes_;
@@ -80,7 +82,7 @@ class Solver {
 
  private:
   static bool has_table(const FIXRAD_FLASH fixrad::DeltaTable* table) {
-    return has_delta_table(read(table, 0).resolution_log2);
+    return has_lunes(flash_read(table, 0).resolution_log2);
   }
   static bool has_tables(const Settings& settings) {
     return has_table(settings.table) && has_table(coarse_table(settings)) && has_table(settings.probe);

@@ -5,7 +5,7 @@ namespace fixrad {
 namespace peer {
 
 void VisibleSpans::reset() {
-  work_.spans[0] = {-end_, kNothing, kNoSpan};
+  work_.spans[0] = {-kRowEnd, kNothing, kNoSpan};
   free_ = kNoSpan;
   used_ = 1;
 }
@@ -15,9 +15,9 @@ VisibleSpans::Contest VisibleSpans::contest(uint16_t index, uint16_t other, Inte
   if (other == kNothing) {
     return {Win::all, 0.0f};
   }
-  const RowFunction& a = work_.views[index].depth;
-  const RowFunction& b = work_.views[other].depth;
-  const float slope = b.slope.x - a.slope.x;
+  const RowFunction& a = work_.views[index].row_depth;
+  const RowFunction& b = work_.views[other].row_depth;
+  const float slope = b.slope - a.slope;
   const float middle = b.at_row - a.at_row;
   const bool near_at_begin = __builtin_signbit(slope * part.begin + middle);
   const bool near_at_end = __builtin_signbit(slope * part.end + middle);
@@ -85,7 +85,7 @@ bool VisibleSpans::insert(uint16_t index, Interval part) {
   float begin = part.begin;
   bool cut_begin = work_.spans[i].start < begin;
   for (;;) {
-    const float span_end = next == kNoSpan ? end_ : work_.spans[next].start;
+    const float span_end = next == kNoSpan ? kRowEnd : work_.spans[next].start;
     const bool cut_end = part.end < span_end;
     const float end = cut_end ? part.end : span_end;
     const Contest won = contest(index, work_.spans[i].view, {begin, end});

@@ -12,8 +12,7 @@ namespace peer {
 /// nothing, kept in a bounded pool. As in the core.
 class VisibleSpans {
  public:
-  /// Rows from -size to size.
-  VisibleSpans(Workspace& work, float size) : work_(work), end_(size) {}
+  explicit VisibleSpans(Workspace& work) : work_(work) {}
 
   /// Starts a row that shows nothing.
   void reset();
@@ -27,7 +26,7 @@ class VisibleSpans {
   const Span& operator[](uint16_t i) const { return work_.spans[i]; }
   float end_of(uint16_t i) const {
     const uint16_t next = work_.spans[i].next;
-    return next == kNoSpan ? end_ : work_.spans[next].start;
+    return next == kNoSpan ? kRowEnd : work_.spans[next].start;
   }
 
  private:
@@ -43,7 +42,6 @@ class VisibleSpans {
   bool paint(uint16_t previous, uint16_t& i, uint16_t index, Interval part, bool cut_begin, bool cut_end);
 
   Workspace& work_;
-  float end_;
   uint16_t free_ = kNoSpan;
   uint16_t used_ = 0;
 };

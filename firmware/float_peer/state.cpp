@@ -21,7 +21,7 @@ uint32_t index_of(const State& state, uint16_t record, uint8_t channel) {
 }
 
 void emit(State& state, uint16_t e) {
-  const Element element = read(state.scene.elements, e);
+  const Element element = flash_read(state.scene.elements, e);
   const Channels reflectance = reflectance_of(state.scene, element.material);
   for (uint8_t c = 0; c < state.scene.channels; ++c) {
     const float flux = emitted_flux(state, e, c);
@@ -38,23 +38,23 @@ float fraction_of_one(uint32_t raw) {
 }
 
 Channels reflectance_of(const Scene& scene, uint16_t material) {
-  const Material m = read(scene.materials, material);
+  const Material m = flash_read(scene.materials, material);
   return {{fraction_of_one(m.reflectance[0]), fraction_of_one(m.reflectance[1]),
            fraction_of_one(m.reflectance[2])}};
 }
 
 float emitted_flux(const State& state, uint16_t element, uint8_t channel) {
-  const Element e = read(state.scene.elements, element);
-  const uint32_t emission = read(state.scene.materials, e.material).emission[channel];
+  const Element e = flash_read(state.scene.elements, element);
+  const uint32_t emission = flash_read(state.scene.materials, e.material).emission[channel];
   return emission == 0 ? 0.0f
                        : static_cast<float>(emission) * state.emission_unit * static_cast<float>(e.area);
 }
 
 void reset(State& state, const Scene& scene, const Settings& settings) {
   state.scene = scene;
-  state.table = delta_table(read(settings.table, 0).resolution_log2);
-  state.coarse = delta_table(read(coarse_table(settings), 0).resolution_log2);
-  state.probe = delta_table(read(settings.probe, 0).resolution_log2);
+  state.table = lune_table(flash_read(settings.table, 0).resolution_log2);
+  state.coarse = lune_table(flash_read(coarse_table(settings), 0).resolution_log2);
+  state.probe = lune_table(flash_read(settings.probe, 0).resolution_log2);
   state.stop = fraction_of_one(settings.stop.raw);
   state.flux_per_eye = fraction_of_one(settings.flux_per_eye.raw);
   state.overshoot = settings.overshoot;
@@ -81,15 +81,15 @@ void reset(State& state, const Scene& scene, const Settings& settings) {
 }
 
 float exitent_flux(const State& state, uint16_t element, uint8_t channel) {
-  const Element e = read(state.scene.elements, element);
-  const uint32_t reflectance = read(state.scene.materials, e.material).reflectance[channel];
+  const Element e = flash_read(state.scene.elements, element);
+  const uint32_t reflectance = flash_read(state.scene.materials, e.material).reflectance[channel];
   const float flux = emitted_flux(state, element, channel) +
                      fraction_of_one(reflectance) * state.received[index_of(state, element, channel)];
   return flux < 0.0f ? 0.0f : flux;
 }
 
 float element_radiosity(const State& state, uint16_t element, uint8_t channel) {
-  const float area = static_cast<float>(read(state.scene.elements, element).area);
+  const float area = static_cast<float>(flash_read(state.scene.elements, element).area);
   return exitent_flux(state, element, channel) * state.radiosity_unit / area;
 }
 
@@ -98,7 +98,7 @@ namespace {
 float mean_round(const State& state, const VertexMap& map, const MeshVertex& v, uint8_t channel) {
   float sum = 0.0f;
   for (uint8_t i = 0; i < v.count; ++i) {
-    const uint16_t e = read(map.elements + v.first, i);
+    const uint16_t e = flash_read(map.elements + v.first, i);
     sum += element_radiosity(state, e, channel);
   }
   return sum / static_cast<float>(v.count);
@@ -107,12 +107,12 @@ float mean_round(const State& state, const VertexMap& map, const MeshVertex& v, 
 }  // namespace
 
 float vertex_radiosity(const State& state, const VertexMap& map, uint32_t vertex, uint8_t channel) {
-  const MeshVertex v = read(map.vertices + vertex, 0);
+  const MeshVertex v = flash_read(map.vertices + vertex, 0);
   const float mean = mean_round(state, map, v, channel);
   if (v.inner == kNoVertex) {
     return mean;
   }
-  const float inner = mean_round(state, map, read(map.vertices + v.inner, 0), channel);
+  const float inner = mean_round(state, map, flash_read(map.vertices + v.inner, 0), channel);
   return mean + mean > inner ? mean + mean - inner : 0.0f;
 }
 

@@ -15,20 +15,11 @@ struct Channels {
   float c[kMaxChannels];
 };
 
-/// What was found out about the eye points of a patch, as in the core; a set of bits.
-using KnownEyes = uint8_t;
-constexpr KnownEyes kCentroidClear = 1, kCentroidBuried = 2;
-
-/// All candidates of `level` (1 ..) are clear.
-constexpr KnownEyes all_clear(int level) {
-  return static_cast<KnownEyes>(2 << level);
-}
-
 /// Everything a peer knows. Fluxes and radiosities are in the scene's units, as the core's. The arrays belong
 /// to the storage.
 struct State {
   Scene scene;
-  DeltaTable table, coarse, probe;
+  LuneTable table, coarse, probe;
   float stop, flux_per_eye;  ///< fractions of the emitted flux
   bool overshoot;
   Workspace work;

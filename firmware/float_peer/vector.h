@@ -3,7 +3,6 @@
 
 #include <stdint.h>
 
-#include "firmware/float_peer/table.h"
 #include "lib/scene/scene.h"
 
 namespace fixrad {

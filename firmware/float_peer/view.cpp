@@ -19,18 +19,18 @@ struct Turn {
   float cosine, sine;
 };
 
-// The core's sequence: angle i is frac((i + 1/2) * 0.6180339887) * 90 degrees.
-constexpr FIXRAD_PEER_TABLE Turn kTurnTable[kTurns] = {
-    {0.884487107f, 0.466564633f}, {0.114337447f, 0.993441970f}, {0.655299355f, 0.755369284f},
-    {0.967353147f, 0.253432216f}, {0.337033385f, 0.941492696f}, {0.809767027f, 0.586751533f},
-    {0.999634156f, 0.027047270f}, {0.542105102f, 0.840310691f}, {0.921890194f, 0.387451250f},
-    {0.200752038f, 0.979642087f}, {0.718828948f, 0.695186985f}, {0.985805687f, 0.167890285f},
-    {0.418053579f, 0.908422371f}, {0.857963640f, 0.513710417f}, {0.060450034f, 0.998171225f},
-    {0.613494175f, 0.789699245f}};
+// The core's sequence: angle i is frac((i + 1/2) * 0.6180339887) * 180 degrees.
+constexpr FIXRAD_IN_FLASH Turn kTurnTable[kTurns] = {
+    {0.564634886f, 0.825340805f},  {-0.973853896f, 0.227175238f}, {-0.141165510f, 0.989986009f},
+    {0.871544224f, 0.490316904f},  {-0.772816995f, 0.634628941f}, {0.311445277f, 0.950264089f},
+    {0.998536890f, 0.054074748f},  {-0.412244115f, 0.911073427f}, {0.699763059f, 0.714375014f},
+    {-0.919397238f, 0.393330293f}, {0.033430113f, 0.999441058f},  {0.943625705f, 0.331014394f},
+    {-0.650462409f, 0.759538449f}, {0.472203218f, 0.881489717f},  {-0.992691587f, 0.120678970f},
+    {-0.247249791f, 0.968951774f}};
 
 Frame make_frame(const Face& face, uint8_t turn) {
   constexpr float kOneth = 1.0f / kUnit;
-  const Turn t = read(kTurnTable, turn % kTurns);
+  const Turn t = flash_read(kTurnTable, turn % kTurns);
   const Vector z = scale(to_float(vec(face.normal)), kOneth);
   const Vector x = scale(to_float(vec(face.tangent)), kOneth);
   const Vector y = cross(z, x);
@@ -38,7 +38,7 @@ Frame make_frame(const Face& face, uint8_t turn) {
 }
 
 uint16_t face_corner(const Scene& scene, const Face& face, uint8_t k) {
-  return read(scene.corners, static_cast<unsigned>(face.first_corner) + k);
+  return flash_read(scene.corners, static_cast<unsigned>(face.first_corner) + k);
 }
 
 Vec3 from_eye(Vec3 grid_point, Vec3 eye) {
@@ -49,7 +49,7 @@ Vec3 from_eye(Vec3 grid_point, Vec3 eye) {
 void place_vertices(const Scene& scene, const Frame& frame, Vec3 eye, VertexView* vertices) {
   for (uint16_t i = 0; i < scene.vertex_count; ++i) {
     VertexView& v = vertices[i];
-    v.offset = frame.to_local(to_float(from_eye(vec(read(scene.vertices, i)), eye)));
+    v.offset = frame.to_local(to_float(from_eye(vec(flash_read(scene.vertices, i)), eye)));
     v.over_horizon = v.offset.z > 0.0f;
   }
 }
@@ -74,26 +74,26 @@ void make_grid(const Face& face, const Frame& frame, Vec3 eye, float inverse_hei
   // o is in quarters of a unit, the axes in units; the height is in Q14 times a quarter of a unit.
   const float s = inverse_height * (static_cast<float>(kUnit) / kEyeScale) / (cell_area * cells_u * cells_v);
   if (view.has_u()) {
-    view.u.slope = frame.to_local(scale(cross(o, to_float(vec(face.axis_v))), s * cells_u));
+    view.u = frame.to_local(scale(cross(o, to_float(vec(face.axis_v))), s * cells_u));
   }
   if (view.has_v()) {
-    view.v.slope = frame.to_local(scale(cross(to_float(vec(face.axis_u)), o), s * cells_v));
+    view.v = frame.to_local(scale(cross(to_float(vec(face.axis_u)), o), s * cells_v));
   }
 }
 
 }  // namespace
 
 void make_view(const Scene& scene, const EyePoint& eye, bool back_faces, bool grids, Workspace& work) {
-  const Frame frame = make_frame(read(scene.faces, eye.face), eye.turn);
+  const Frame frame = make_frame(flash_read(scene.faces, eye.face), eye.turn);
   place_vertices(scene, frame, eye.position, work.vertices);
   work.view_count = 0;
   for (uint16_t f = 0; f < scene.face_count; ++f) {
-    const Face face = read(scene.faces, f);
+    const Face face = flash_read(scene.faces, f);
     if (f == eye.face || is_below_horizon(scene, face, work.vertices)) {
       continue;
     }
     const Vector normal = to_float(vec(face.normal));  // Q14
-    const Vec3 corner = vec(read(scene.vertices, face_corner(scene, face, 0)));
+    const Vec3 corner = vec(flash_read(scene.vertices, face_corner(scene, face, 0)));
     const float height = -dot(normal, to_float(from_eye(corner, eye.position)));
     const bool is_back = height < -kEdgeOn;
     if (is_back && !back_faces) {
@@ -107,7 +107,7 @@ void make_view(const Scene& scene, const EyePoint& eye, bool back_faces, bool gr
     view.cells_u = is_back || !grids ? static_cast<uint8_t>(1) : face.cells_u;
     view.cells_v = is_back || !grids ? static_cast<uint8_t>(1) : face.cells_v;
     const float inverse_height = 1.0f / (is_back || height > kSmallestDistance ? height : kSmallestDistance);
-    view.depth.slope = frame.to_local(scale(normal, -inverse_height));
+    view.depth = frame.to_local(scale(normal, -inverse_height));
     if (view.has_u() || view.has_v()) {
       make_grid(face, frame, eye.position, inverse_height, view);
     }

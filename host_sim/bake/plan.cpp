@@ -90,7 +90,8 @@ Settings make_settings(const BakeOptions& options, const BakePlan& plan) {
   if (options.engine == "lunes") {
     settings.engine = lune_rows;
     settings.table = lune_table(plan.resolution);
-    settings.coarse = lune_table(std::max(8, plan.resolution / 2));
+    // Where elements are grouped, a patch that needs one eye point only is a weak one.
+    settings.coarse = plan.meshing.patch_count < plan.sizes.elements ? lune_table(std::max(8, plan.resolution / 2)) : nullptr;
     settings.probe = &kLune4;
   } else {
     settings.engine = options.engine == "pixels" ? hemicube_pixels : hemicube_rows;

@@ -18,12 +18,12 @@ struct Frame {
   glm::dvec3 to_local(const glm::dvec3& v) const { return {glm::dot(x, v), glm::dot(y, v), glm::dot(z, v)}; }
 };
 
-// Angle i of the core's sequence is frac((i + 1/2) / golden ratio) of a quarter turn.
+// Angle i of the core's sequence is frac((i + 1/2) / golden ratio) of a half turn.
 Frame make_frame(const TwinFace& face, int turn) {
   constexpr double kGolden = 0.6180339887498949;
-  constexpr double kQuarterTurn = 1.57079632679489661923;
+  constexpr double kHalfTurn = 3.14159265358979323846;
   const double steps = (turn % kTurns + 0.5) * kGolden;
-  const double angle = (steps - std::floor(steps)) * kQuarterTurn;
+  const double angle = (steps - std::floor(steps)) * kHalfTurn;
   const glm::dvec3 x = face.tangent;
   const glm::dvec3 y = glm::cross(face.normal, x);
   return {x * std::cos(angle) + y * std::sin(angle), y * std::cos(angle) - x * std::sin(angle), face.normal};

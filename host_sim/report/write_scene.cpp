@@ -74,7 +74,8 @@ std::string record_of(const Element& e) {
       {unsigned_literal(e.area), record_of(e.eye), literal(e.patch), literal(e.face), literal(e.material)});
 }
 std::string record_of(const Patch& p) {
-  return braced({record_of(p.eye), literal(p.face), literal(p.first_element), literal(p.element_count)});
+  return braced({record_of(p.eye), literal(p.face), literal(p.first_element), literal(p.element_count),
+                 literal(p.is_clear)});
 }
 std::string record_of(const fixrad::Material& m) {
   std::vector<std::string> reflectance, emission;

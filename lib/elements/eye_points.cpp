@@ -32,12 +32,13 @@ bool is_whole_cell(const Element& element, const Face& face) {
 
 EyeSource patch_source(const Scene& scene, uint16_t patch) {
   const Patch p = flash_read(scene.patches, patch);
-  return {p.face, p.first_element, p.element_count, false, {p.eye[0], p.eye[1], p.eye[2]}};
+  return {p.face, p.first_element, p.element_count, false, p.is_clear != 0, {p.eye[0], p.eye[1], p.eye[2]}};
 }
 
 EyeSource element_source(const Scene& scene, uint16_t element) {
   const Element e = flash_read(scene.elements, element);
-  return {e.face, element, 1, true, {e.eye[0], e.eye[1], e.eye[2]}};
+  const bool is_clear = flash_read(scene.patches, e.patch).is_clear != 0;
+  return {e.face, element, 1, true, is_clear, {e.eye[0], e.eye[1], e.eye[2]}};
 }
 
 uint16_t source_element(const Scene& scene, const EyeSource& source, uint16_t i) {

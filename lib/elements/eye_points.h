@@ -13,6 +13,7 @@ struct EyeSource {
   uint16_t first;      ///< into Scene::patch_elements, or the element itself
   uint16_t count;      ///< number of elements
   bool is_single;      ///< `first` is an element
+  bool is_clear;       ///< none of its eye points is buried
   uint16_t centre[3];  ///< centroid, lifted off the face; quarters of a grid unit
 };
 

@@ -26,11 +26,15 @@ inline uint64_t wide_product_plain(uint32_t a, uint32_t b) {
   return static_cast<uint64_t>(a) * b;
 }
 
-/// The product from four of 16-bit halves; the middle sum has 33 bits, hence its carry is taken by itself.
+/// The product from four of 16-bit halves; the middle sum has 33 bits, hence its carry is taken by itself. Two
+/// of the four are left out where b has 16 bits, as most shares of a shot have.
 inline uint64_t wide_product_halves(uint32_t a, uint32_t b) {
   const uint32_t al = a & 0xffffu, ah = a >> 16, bl = b & 0xffffu, bh = b >> 16;
   const uint32_t low = al * bl;
   const uint32_t cross = ah * bl + (low >> 16);  // below 2^32
+  if (bh == 0) {
+    return static_cast<uint64_t>(cross >> 16) << 32 | (cross << 16 | (low & 0xffffu));
+  }
   const uint32_t middle = al * bh + (cross & 0xffffu);
   const uint32_t high = ah * bh + (cross >> 16) + (middle >> 16);
   return static_cast<uint64_t>(high) << 32 | (middle << 16 | (low & 0xffffu));

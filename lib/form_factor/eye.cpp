@@ -8,13 +8,12 @@ struct Turn {
   int16_t cosine, sine;  // Q14
 };
 
-// Angle i is frac((i + 1/2) * 0.6180339887) * 90 degrees, the golden-ratio sequence: any run of it covers the
-// quarter turn evenly. None is 0: there rows are parallel to the borders of elements in a rectangular room,
-// and where a border lies on the middle of a row, the last bit decides about the whole row.
+// Angle i is frac((i + 1/2) * 0.6180339887) * 180 degrees, the golden-ratio sequence: any run of it covers
+// evenly the half turn after which lunes repeat (and the quarter turn of a hemicube). None is 0: there rows are
+// parallel to the borders of elements in a rectangular room, and where a border lies on the middle of a row,
+// the last bit decides about the whole row.
 constexpr FIXRAD_IN_FLASH Turn kTurnTable[kTurns] = {
-    {14491, 7644}, {1873, 16277}, {10736, 12376}, {15849, 4152}, {5522, 15425},  {13267, 9613},
-    {16378, 443},  {8882, 13768}, {15104, 6348},  {3289, 16050}, {11777, 11390}, {16151, 2751},
-    {6849, 14884}, {14057, 8417}, {990, 16354},   {10051, 12938}};
+    {9251, 13522}, {-15956, 3722}, {-2313, 16220}, {14279, 8033}, {-12662, 10398}, {5103, 15569}, {16360, 886}, {-6754, 14927}, {11465, 11704}, {-15063, 6444}, {548, 16375}, {15460, 5423}, {-10657, 12444}, {7737, 14442}, {-16264, 1977}, {-4051, 15875}};
 
 Vec3 combine(Vec3 a, int32_t p, Vec3 b, int32_t q) {
   const int32_t half = kUnit / 2;

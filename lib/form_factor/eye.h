@@ -22,8 +22,8 @@ struct EyeFrame {
 };
 
 /// The face's tangent and normal, turned about the normal by the `turn`-th angle of a fixed sequence
-/// (golden-ratio steps through the quarter turn after which a hemicube repeats). Without it, errors of
-/// axis-aligned rows add up from shot to shot.
+/// (golden-ratio steps through the half turn). Without it, errors of axis-aligned rows add up from shot to
+/// shot.
 EyeFrame eye_frame(const Face& face, uint8_t turn);
 
 /// A vector in grid space (|v| < 2^17) seen in the frame: Q14 times its unit, |result| < 2^31.

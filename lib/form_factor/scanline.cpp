@@ -7,10 +7,6 @@ namespace {
 // With |m| <= sqrt(2) in Q11, normal . m stays below 2^31 for a normal below 2^19.
 constexpr int kEdgeBits = 19;
 
-Vec3 vec(const Direction& d) {
-  return {d.x, d.y, d.z};
-}
-
 // From the axes of one side to those of the next: the top's (x, y, z) become (y, z, x); from then on a
 // quarter turn about the normal, (-z, y, x).
 template <class T>

@@ -121,7 +121,6 @@ bool VisibleSpans::paint(uint16_t& i, Interval part, uint16_t index) {
 
 bool VisibleSpans::insert(uint16_t index, Interval part, const RowPlane& plane) {
   const Span* spans = work_.spans;
-  const RowDepth depth = row_depth(work_.views[index], plane);
   uint16_t i = 0;
   while (spans[i + 1].start <= part.begin) {
     ++i;
@@ -130,7 +129,7 @@ bool VisibleSpans::insert(uint16_t index, Interval part, const RowPlane& plane) 
     Interval won = {spans[i].start > part.begin ? spans[i].start : part.begin,
                     spans[i + 1].start < part.end ? spans[i + 1].start : part.end};
     if (spans[i].view != kNothing) {
-      won = nearer_part(depth, row_depth(work_.views[spans[i].view], plane), won);
+      won = nearer_part(row_depth(work_.views[index], plane), row_depth(work_.views[spans[i].view], plane), won);
     }
     if (won.begin < won.end && !paint(i, won, index)) {
       return false;

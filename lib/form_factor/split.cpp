@@ -80,16 +80,15 @@ bool ElementWalk::next() {
   if (end_ >= part_.end) {
     return false;
   }
-  const int32_t begin = end_;
   element_ = element_at(u_.cell, v_.cell);
   Axis& nearer = u_.border <= v_.border ? u_ : v_;
-  end_ = nearer.border > begin ? nearer.border : begin;
-  if (nearer.step != 0) {
-    nearer.cell = static_cast<int16_t>(nearer.cell + nearer.step);
-    find_border(nearer);
-  } else {
+  if (nearer.step == 0) {
     end_ = part_.end;
+    return true;
   }
+  end_ = nearer.border > end_ ? nearer.border : end_;
+  nearer.cell = static_cast<int16_t>(nearer.cell + nearer.step);
+  find_border(nearer);
   return true;
 }
 

@@ -16,6 +16,10 @@ struct Direction {
   RowMask above;  ///< rows of the current band whose plane has the vertex above it
 };
 
+inline Vec3 vec(const Direction& d) {
+  return {d.x, d.y, d.z};
+}
+
 /// An edge of a face that crosses rows of the current band in front of the eye, kept from row to row.
 struct EdgeCursor {
   Vec3 normal;   ///< lower x upper end, block-normalised to 2^19; x < 0: in front of the eye

@@ -72,6 +72,7 @@ struct Patch {
   uint16_t face;
   uint16_t first_element;  ///< into Scene::patch_elements
   uint16_t element_count;  ///< 1 .. kMaxPatchElements
+  uint8_t is_clear = 0;    ///< 1: no eye point on it is buried, as far as its maker knows; 0: to be probed
 };
 
 constexpr int kMaxPatchElements = 64;

@@ -98,9 +98,7 @@ class EyeSet {
       : state_(state), source_(source), level_(level), count_(candidate_count(source, level)) {}
 
   // Probes every candidate, unless all are known to be clear; `total` is the weight of those that are.
-  Status choose(KnownEyes& known) {
-    const bool is_known = (known & all_clear(level_)) != 0;
-    bool is_clear = true;
+  Status choose() {
     for (uint16_t i = 0; i < count_; ++i) {
       const EyeCandidate candidate = eye_candidate(state_.scene, source_, level_, i);
       if (candidate.weight == 0) {
@@ -108,17 +106,15 @@ class EyeSet {
       }
       bool buried = false;
       const Status status =
-          is_known ? Status::ok : is_buried(state_, {candidate.position, source_.face, 0}, buried);
+          source_.is_clear ? Status::ok : is_buried(state_, {candidate.position, source_.face, 0}, buried);
       if (status != Status::ok) {
         return status;
       }
-      is_clear = is_clear && !buried;
       if (!buried) {
         chosen_[i / 32] |= static_cast<uint32_t>(1) << (i % 32);
         total_ += weight_of(state_, candidate.element) * candidate.weight;
       }
     }
-    known = static_cast<KnownEyes>(known | (is_clear ? all_clear(level_) : 0));
     return Status::ok;
   }
 
@@ -164,6 +160,7 @@ class EyeSet {
 
 Status sample_source(State& state, const EyeSource& source, uint32_t wanted, KnownEyes& known) {
   withdraw(state);  // what an abandoned shot may have left
+  known = source.is_clear ? kCentroidClear : known;
   int level = level_for(source, wanted);
   if (level == 0) {
     if ((known & kCentroidBuried) == 0) {
@@ -176,7 +173,7 @@ Status sample_source(State& state, const EyeSource& source, uint32_t wanted, Kno
   }
   for (; level <= kFinestLevel && candidate_count(source, level) <= kMaxEyes; ++level) {
     EyeSet eyes(state, source, level);
-    const Status status = eyes.choose(known);
+    const Status status = eyes.choose();
     if (status != Status::ok) {
       return status;
     }

@@ -41,14 +41,9 @@ struct Settings {
   Observer observer = {nullptr, nullptr, nullptr, nullptr};
 };
 
-/// What was found out about the eye points of a patch, so that no probe is made twice; a set of bits.
+/// What was found out about the centroid of a patch, so that no probe is made twice; none or one of two.
 using KnownEyes = uint8_t;
 constexpr KnownEyes kCentroidClear = 1, kCentroidBuried = 2;
-
-/// All candidates of `level` (1 ..) are clear.
-constexpr KnownEyes all_clear(int level) {
-  return static_cast<KnownEyes>(2 << level);
-}
 
 /// Everything a solver knows. The arrays belong to the storage.
 struct State {

@@ -87,8 +87,8 @@ TEST(Plan, SettingsCarryTheChosenFractionsAndTable) {
   const Settings settings = make_settings(options, make_plan(scene->prepared, options));
   EXPECT_EQ(settings.stop.raw, 0x40000000u);
   EXPECT_EQ(settings.flux_per_eye.raw, 0x80000000u);
-  EXPECT_EQ(settings.table, &kDelta16);
-  EXPECT_EQ(settings.engine, hemicube_rows);
+  EXPECT_EQ(settings.table, &kLune16);
+  EXPECT_EQ(settings.engine, lune_rows);
 }
 
 }  // namespace

@@ -14,14 +14,15 @@ bool has_failed = false;
 // board::write() takes text in RAM.
 void write_flash(const FIXRAD_FLASH char* text) {
   char part[17];
-  while (*text != '\0') {
-    unsigned char length = 0;
-    while (length < 16 && *text != '\0') {
-      part[length++] = *text++;
+  unsigned char length = 0;
+  do {
+    length = 0;
+    for (char c; length < 16 && (c = flash_read(text, 0)) != '\0'; ++text) {
+      part[length++] = c;
     }
     part[length] = '\0';
     board::write(part);
-  }
+  } while (length == 16);
 }
 
 void write_digits(uint64_t value, unsigned char base) {

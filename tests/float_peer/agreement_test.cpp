@@ -39,7 +39,7 @@ class PeerAndCore : public testing::TestWithParam<Case> {
     options.elements = GetParam().elements;
     options.patches = GetParam().patches;
     options.spans = 1000;
-    options.settings = settings_with(16, fraction(1, 1000));
+    options.settings = lune_settings(fraction(1, 1000));
     options.settings.overshoot = GetParam().overshoot;
     return Solution(GetParam().make(), options);
   }
@@ -47,7 +47,9 @@ class PeerAndCore : public testing::TestWithParam<Case> {
 
 // One run of each for all claims, as solving is what takes time.
 TEST_P(PeerAndCore, AgreeInAboutAsManyShotsWithoutLosingLight) {
-  constexpr double kMean = 0.005;         // |peer - core| over the mean radiosity
+  // |peer - core| over the mean radiosity: where equal patches come in another order, their eyes are turned
+  // by other angles, which moves what R = 32 makes of them.
+  constexpr double kMean = 0.012;
   constexpr double kCounts = 0.2;         // shots, eyes
   constexpr double kConservation = 1e-4;  // of the emitted flux, by the rounding of sums in float
   Solution core = solve();
@@ -77,30 +79,41 @@ INSTANTIATE_TEST_SUITE_P(Scenes, PeerAndCore,
                          [](const auto& r) { return r.param.name; });
 
 // The form factors of one shot, before differences could add up: what a lamp lights first.
-TEST(PeerFormFactors, OfTheFirstShotAreTheCores) {
+class PeerFormFactors : public testing::TestWithParam<Case> {};
+
+TEST_P(PeerFormFactors, OfTheFirstShotAreTheCores) {
   constexpr double kLargest = 0.002;  // of the shot's flux, in one element
   SolveOptions options;
-  options.settings = settings_with(32, fraction(1, 1000));
-  Solution core(cornell(), options);
+  options.settings = lune_settings(fraction(1, 1000));
+  Solution core(GetParam().make(), options);
   Peer peer;
   ASSERT_EQ(peer.load(core.device().view(), options.settings), Status::ok);
   ASSERT_EQ(core.run(1), Status::ok);
   ASSERT_EQ(peer.step(), Status::ok);
   ASSERT_EQ(peer.eyes(), core.state().eyes);
+  const peer::FormFactorRow& row = peer.state().row;
+  const double whole = static_cast<double>(row.whole);
   double sum = 0;
   for (std::uint16_t e = 0; e < core.state().row.count; ++e) {
-    const double share = static_cast<double>(peer.state().row.share[e]);
-    EXPECT_NEAR(share, core.state().row.share[e], kLargest * kRowOne) << "element " << e;
+    const double share = static_cast<double>(row.share[e]) / whole;
+    EXPECT_NEAR(share, std::ldexp(core.state().row.share[e], -20), kLargest) << "element " << e;
     sum += share;
   }
-  sum += static_cast<double>(peer.state().row.escaped) + static_cast<double>(peer.state().row.back);
-  EXPECT_NEAR(sum, kRowOne, 1e-5 * kRowOne);
+  sum += static_cast<double>(row.escaped + row.back) / whole;
+  EXPECT_NEAR(sum, 1.0, 1e-5);
 }
+
+INSTANTIATE_TEST_SUITE_P(Scenes, PeerFormFactors,
+                         testing::Values(Case{"Cornell", cornell, 0, 0, false},
+                                         Case{"ClosedRoom", closed_room, 0, 0, false},
+                                         Case{"OpenRoom", open_room, 0, 0, false},
+                                         Case{"BoxOnFloor", box_on_floor, 0, 0, false}),
+                         [](const auto& r) { return r.param.name; });
 
 TEST(PeerVertices, AreTheCores) {
   constexpr double kMean = 0.005;
   SolveOptions options;
-  options.settings = settings_with(16, fraction(1, 1000));
+  options.settings = lune_settings(fraction(1, 1000));
   Solution core(cornell(), options);
   ASSERT_EQ(core.run(), Status::converged);
   const PeerSolution peer(core);
@@ -115,16 +128,16 @@ TEST(PeerVertices, AreTheCores) {
   EXPECT_LT(relative_difference(ours, theirs).mean, kMean);
 }
 
-TEST(PeerLoad, RefusesWhatItHasNoTableFor) {
+TEST(PeerLoad, RefusesWhatItHasNoLunesFor) {
   SolveOptions options;
-  options.settings = settings_with(16, fraction(1, 1000));
+  options.settings = lune_settings(fraction(1, 1000));
   Solution core(cornell(), options);
   Peer peer;
   Settings settings = options.settings;
-  settings.table = &kDelta64;
+  settings.table = &kLune64;
   EXPECT_EQ(peer.load(core.device().view(), settings), Status::item_buffer_too_small);
   settings = options.settings;
-  settings.engine = hemicube_pixels;
+  settings.engine = hemicube_rows;
   EXPECT_EQ(peer.load(core.device().view(), settings), Status::item_buffer_too_small);
   EXPECT_EQ(peer.load(core.device().view(), options.settings), Status::ok);
 }

@@ -8,6 +8,15 @@
 
 namespace fixrad::host {
 
+Settings lune_settings(Fraction stop) {
+  Settings settings;
+  settings.engine = lune_rows;
+  settings.table = &kLune32;
+  settings.probe = &kLune4;
+  settings.stop = stop;
+  return settings;
+}
+
 PeerSolution::PeerSolution(const Solution& core) : device_(core.device()), peer_(std::make_unique<Peer>()) {
   Status status = peer_->load(device_.view(), core.state().settings);
   EXPECT_EQ(status, Status::ok) << describe(status);

@@ -9,6 +9,9 @@
 
 namespace fixrad::host {
 
+/// Lune rows of R = 32, which keep small what a different order of shots changes; 4 for probes.
+Settings lune_settings(Fraction stop);
+
 /// The storage that all tests share.
 using Peer = peer::Solver<Limits<400, 300, 2000, 2000, 2000>>;
 

@@ -19,7 +19,7 @@ ALLOWED = re.compile(
     r"mem(cpy|move|set)"
     r"|__(u|s)?(mul|umul|smul|div|udiv|mod|umod|divmod|udivmod|mulhi|umulhi)(q|h|s|d|ps)i[a-z0-9]*"
     r"|__(mul|umul|mulu|muls|umulh)?(u|s)?(hi|si|qi)(hi|si|di)3"
-    r"|__(ashl|ashr|lshr|neg|cmp|ucmp)(h|s|d)i[0-9]?"
+    r"|__(ashl|ashr|lshr|neg|cmp|ucmp|add|sub)(h|s|d)i[0-9]?(_s8)?"
     r"|__(clz|ctz|ffs|popcount|bswap)(q|h|s|d)i2"
     r"|__aeabi_(l|ll|ul)?(mul|lsl|lsr|asr|cmp|divmod)|__aeabi_u?i?(div|divmod)|__aeabi_mem(cpy|move|set|clr)[48]?"
     r"|__gnu_thumb1_case_[us][qhi]i?"

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 """Worst-case stack of the functions in object files, from what the compiler says of each frame and each call.
 
-Beside every object lies either FILE.ci (gcc, -fcallgraph-info=su) or FILE.su (clang, -fstack-usage; the calls then
-come from the object's relocations). Refused: recursion, frames of a size that is not known, calls through pointers
-that are not listed, calls of functions that are neither there nor listed. Prints the deepest chain.
+Beside every object lies FILE.ci (gcc, -fcallgraph-info=su); of AVR objects the machine code is read. Refused:
+recursion, frames of a size that is not known, calls through pointers that are not listed, calls of functions that are
+neither there nor listed. Prints the deepest chain.
 
 Exit code 0 if it fits the budget, else 1.
 """
@@ -15,12 +15,16 @@ import re
 import subprocess
 import sys
 
+from avr_code import read_avr
+from call_graph import INDIRECT_CALL, Function, Refused, demangled, read_ci
+
 # What may be called through a pointer, by caller. Settings::engine is called where an eye is sampled; a firmware's
 # Settings::observer is null. shoot() chooses a loop by the number of channels.
 ENGINES = ("hemicube_rows", "lune_rows", "hemicube_pixels")
 INDIRECT = (
     ("sample_source", ENGINES),
     ("look", ENGINES),
+    ("withdraw", ()),
     ("shoot", ("scan_patches",)),
     ("scan_patches", ("scan_patches",)),
 )
@@ -34,99 +38,12 @@ HELPERS = {
     "riscv64-unknown-elf-": {r"u?divdi3|u?moddi3": 48, r"clz[sd]i2|muldi3|ashldi3|lshrdi3|ashrdi3": 16},
     "xtensa-lx106-elf-": {r"u?divdi3|u?moddi3|udivmoddi4": 160, r"u?divsi3|u?modsi3|u?mulsidi3|muldi3|clz[sd]i2": 48,
                           r"ashldi3|lshrdi3|ashrdi3": 16},
-    "avr-": {r"u?divdi3|u?moddi3|muldi3": 48, r"u?divmod[hs]i4|u?divmodqi4|mulsi3|u?mulhisi3|umulsidi3|mulsidi3": 24,
-             r"ash[lr][sd]i3|lshr[sd]i3|ash[lr]hi3|lshrhi3": 12},
+    "avr-": {r"u?divdi3|u?moddi3|muldi3": 48, r"u?divmod[hsq]i4|mulsi3|u?mulsidi3|(u|s|us|su)?mul(u|s)?hisi3": 24,
+             r"(ash[lr]|lshr)[hsd]i3|(add|sub)di3(_s8)?|u?cmpdi2(_s8)?|negdi2|clz[sd]i2": 12},
 }
 # memcpy and its like: the boards' own, or the C library's.
 MEMORY = re.compile(r"mem(cpy|move|set)|__aeabi_mem\w+")
 MEMORY_BYTES = 48
-
-RETURN_ADDRESS = {"avr-": 3}  # which the compilers for the others count themselves
-
-
-class Refused(Exception):
-    pass
-
-
-class Function:
-    def __init__(self, title, label=""):
-        self.title, self.label, self.frame, self.calls = title, label or title, None, set()
-
-
-def demangled(title):
-    """The unqualified name in a mangled one: _ZN6fixrad12_GLOBAL__N_14lookE... -> look."""
-    title = title.rsplit(":", 1)[-1]
-    names, rest = [], re.sub(r"^_ZNK?", "", title)
-    while match := re.match(r"L?(\d+)", rest):
-        end = match.end() + int(match.group(1))
-        names.append(rest[match.end():end])
-        rest = rest[end:]
-    return names[-1] if title.startswith("_Z") and names else title
-
-
-def one_constructor(text):
-    """A constructor is defined once, C2, and called C1 where it makes a whole object."""
-    return re.sub(r"([CD])1E", r"\g<1>2E", text)
-
-
-def read_ci(path, functions):
-    with open(path, encoding="utf-8") as file:
-        text = one_constructor(file.read())
-    for title, label in re.findall(r'^node: \{ title: "([^"]*)" label: "([^"]*)"', text, re.MULTILINE):
-        function = functions.setdefault(title, Function(title))
-        usage = re.search(r"\\n(\d+) bytes \(([^)]*)\)", label)
-        if usage:
-            if "static" not in usage.group(2) and "bounded" not in usage.group(2):
-                raise Refused(f"{demangled(title)}: the size of its frame is not known: {usage.group(2)}")
-            function.frame = max(function.frame or 0, int(usage.group(1)))
-    for source, target in re.findall(r'^edge: \{ sourcename: "([^"]*)" targetname: "([^"]*)"', text, re.MULTILINE):
-        functions.setdefault(source, Function(source)).calls.add(target)
-
-
-def read_su(path, functions, prefix, obj):
-    with open(path, encoding="utf-8") as file:
-        for line in map(one_constructor, file):
-            where, size, kind = line.rstrip("\n").split("\t")
-            title = where.rsplit(":", 1)[-1]
-            if kind.split(",")[0] != "static":
-                raise Refused(f"{demangled(title)}: the size of its frame is not known: {kind}")
-            key = local_key(obj, title)
-            functions.setdefault(key, Function(key)).frame = int(size) + RETURN_ADDRESS.get(prefix, 0)
-    read_calls(obj, functions, prefix)
-
-
-def local_key(obj, title):
-    """clang names static functions alike in several objects."""
-    return f"{obj}:{title}" if "_GLOBAL__N_" in title or not title.startswith("_Z") else title
-
-
-def read_calls(obj, functions, prefix):
-    done = subprocess.run([prefix + "objdump", "-dr", obj], capture_output=True, text=True, check=True)
-    at_section, section, caller, pending = {}, "", None, None
-    lines = one_constructor(done.stdout).splitlines()
-    for line in lines:
-        if match := re.match(r"Disassembly of section (\S+):", line):
-            section = match.group(1)
-        elif match := re.match(r"([0-9a-f]+) <(\S+)>:", line):
-            at_section[(section, int(match.group(1), 16))] = match.group(2)
-    for line in lines:
-        if match := re.match(r"Disassembly of section (\S+):", line):
-            section = match.group(1)
-        elif match := re.match(r"[0-9a-f]+ <(\S+)>:", line):
-            caller = functions.setdefault(local_key(obj, match.group(1)), Function(local_key(obj, match.group(1))))
-        elif match := re.match(r"\s+[0-9a-f]+:\s+(?:[0-9a-f]{2} )+\s+(\S+)", line):
-            pending = match.group(1)
-            if pending in ("icall", "eicall", "ijmp", "eijmp"):
-                caller.calls.add("__indirect_call")
-        elif (match := re.match(r"\s+[0-9a-f]+: R_AVR_(CALL|13_PCREL)\s+(\S+)", line)) and pending in (
-                "call", "rcall", "jmp", "rjmp"):
-            name, _, offset = match.group(2).partition("+")
-            target = at_section.get((name, int(offset or "0", 16)), name)
-            # A jump inside the function is no call.
-            if name.startswith(".") and (name, int(offset or "0", 16)) not in at_section:
-                continue
-            if local_key(obj, target) != caller.title or pending in ("call", "rcall"):
-                caller.calls.add(local_key(obj, target) if local_key(obj, target) in functions else target)
 
 
 def helper_bytes(title, prefix):
@@ -135,7 +52,7 @@ def helper_bytes(title, prefix):
     name = re.sub(r"^__(aeabi_)?", "", title)
     for pattern, size in HELPERS.get(prefix, {}).items():
         if title.startswith("__") and re.fullmatch(pattern, name):
-            return size + RETURN_ADDRESS.get(prefix, 0)
+            return size
     return None
 
 
@@ -149,7 +66,7 @@ class Depths:
 
     def targets(self, caller):
         for target in sorted(caller.calls):
-            if target != "__indirect_call":
+            if target != INDIRECT_CALL:
                 yield target
                 continue
             listed = [names for name, names in INDIRECT if name == demangled(caller.title)]
@@ -191,10 +108,10 @@ def read_objects(objects, prefix):
         base = re.sub(r"\.(obj|o)$", "", obj)
         if os.path.exists(base + ".ci"):
             read_ci(base + ".ci", functions)
-        elif os.path.exists(base + ".su"):
-            read_su(base + ".su", functions, prefix, obj)
+        elif prefix == "avr-":
+            read_avr(obj, functions)
         elif has_code(obj, prefix):
-            raise Refused(f"{obj}: neither {base}.ci nor {base}.su is there")
+            raise Refused(f"{obj}: no {base}.ci is there")
     return functions
 
 

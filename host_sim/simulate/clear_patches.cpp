@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "host_sim/simulate/clear_patches.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <limits>
+#include <vector>
+
+#include "host_sim/simulate/simulated_device.h"
+
+namespace fixrad::host {
+namespace {
+
+// Grid units. Corners are off their plane by kPlaneTolerance, eyes are lifted by half a unit or a little more.
+constexpr double kContact = kPlaneTolerance + 1;
+
+struct Box2d {
+  glm::dvec2 low{std::numeric_limits<double>::infinity()};
+  glm::dvec2 high{-std::numeric_limits<double>::infinity()};
+
+  void add(glm::dvec2 p) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  // Neighbours that only share a border with a patch do not reach into it.
+  bool reaches_into(const Box2d& other) const {
+    return low.x < other.high.x - kContact && high.x > other.low.x + kContact &&
+           low.y < other.high.y - kContact && high.y > other.low.y + kContact;
+  }
+};
+
+// A face's plane with two axes in it; lengths in grid units.
+struct Plane {
+  glm::dvec3 point, normal, u, v;
+
+  double height(glm::dvec3 p) const { return glm::dot(p - point, normal); }
+  glm::dvec2 flat(glm::dvec3 p) const { return {glm::dot(p - point, u), glm::dot(p - point, v)}; }
+};
+
+glm::dvec3 unit(const std::int16_t (&a)[3]) {
+  return glm::normalize(glm::dvec3(a[0], a[1], a[2]));
+}
+
+glm::dvec3 corner(const DeviceScene& device, const fixrad::Face& face, std::size_t k) {
+  const Vertex v = device.vertices[device.corners[face.first_corner + k % face.corner_count]];
+  return {v.x, v.y, v.z};
+}
+
+Plane plane_of(const DeviceScene& device, const fixrad::Face& face) {
+  const glm::dvec3 normal = unit(face.normal);
+  const glm::dvec3 u = unit(face.tangent);
+  return {corner(device, face, 0), normal, u, glm::cross(normal, u)};
+}
+
+// The part of `face` within kContact of the plane, as a box in the plane; empty if there is none.
+Box2d contact_of(const DeviceScene& device, const Plane& plane, const fixrad::Face& face) {
+  Box2d box;
+  for (std::size_t k = 0; k < face.corner_count; ++k) {
+    const glm::dvec3 a = corner(device, face, k), b = corner(device, face, k + 1);
+    const double from = plane.height(a), to = plane.height(b);
+    double begin = 0, end = 1;
+    for (const double side : {1.0, -1.0}) {  // keeps side * height <= kContact
+      const double p = kContact - side * from, q = side * (to - from);
+      if (q > 0) {
+        end = std::min(end, p / q);
+      } else if (q < 0) {
+        begin = std::max(begin, p / q);
+      } else if (p < 0) {
+        end = -1;
+      }
+    }
+    if (begin <= end) {
+      box.add(plane.flat(glm::mix(a, b, begin)));
+      box.add(plane.flat(glm::mix(a, b, end)));
+    }
+  }
+  return box;
+}
+
+Box2d outline_of(const DeviceScene& device, const Patch& patch, const Plane& plane) {
+  Box2d box;
+  for (std::size_t i = 0; i < patch.element_count; ++i) {
+    const MeshElement& element = device.mesh.elements[device.patch_elements[patch.first_element + i]];
+    for (const glm::dvec3& p : element.polygon) {
+      box.add(plane.flat((p - device.grid.origin) * device.grid.scale));
+    }
+  }
+  return box;
+}
+
+}  // namespace
+
+void mark_clear_patches(DeviceScene& device, const Sizes& sizes) {
+  SimulatedDevice probe(sizes);
+  if (probe.load(device.view(), Settings{}) != Status::ok) {
+    return;  // the solver will say why
+  }
+  State& state = probe.state();
+  for (std::size_t f = 0; f < device.faces.size(); ++f) {
+    const Plane plane = plane_of(device, device.faces[f]);
+    std::vector<Box2d> contacts;
+    for (std::size_t g = 0; g < device.faces.size(); ++g) {
+      const Box2d box = g == f ? Box2d{} : contact_of(device, plane, device.faces[g]);
+      if (box.low.x <= box.high.x) {
+        contacts.push_back(box);
+      }
+    }
+    for (Patch& patch : device.patches) {
+      if (patch.face != f) {
+        continue;
+      }
+      const Box2d outline = outline_of(device, patch, plane);
+      const bool is_met = std::any_of(contacts.begin(), contacts.end(),
+                                      [&](const Box2d& box) { return box.reaches_into(outline); });
+      std::uint32_t share = 0;
+      const Status status =
+          is_met ? Status::ok
+                 : hidden_share(state.scene, kLune4, {vec(patch.eye), patch.face, 0}, state.is_enclosed,
+                                state.work, share);
+      patch.is_clear = !is_met && status == Status::ok && share == 0;
+    }
+  }
+}
+
+}  // namespace fixrad::host
