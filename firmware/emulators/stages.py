@@ -6,15 +6,12 @@ An address belongs to the stage of the innermost inlined frame that lies in a so
 inlined everywhere (lib/fixed) count for who uses them. Addresses without such a frame go by the name of their function:
 routines of libgcc and what a compiler calls to copy.
 
-With --objects (AVR: its debug information holds 16-bit addresses, code has more) an address belongs to the object file
-that defines its function instead; what is inlined then counts for the function that it is inlined into.
+Where no frame says it, an address goes with the one before it in its function.
 """
 
 import argparse
 import bisect
-import glob
 import json
-import os
 import re
 import subprocess
 import sys
@@ -26,7 +23,7 @@ RULES = [(re.compile(file), re.compile(function) if function else None, stage) f
     (r"(lib/form_factor|float_peer)/(view|eye)\.", None, "transform"),
     (r"(lib/form_factor|float_peer)/(scanline|row_plane)\.", None, "raster"),
     (r"(lib/form_factor|float_peer)/spans\.", None, "insert"),
-    (r"lib/form_factor/(split|row|delta_table)\.|float_peer/(split|delta_table)\.", None, "split"),
+    (r"lib/form_factor/(split|row|delta_table|lune_tables)\.|float_peer/(split|lune_table)\.", None, "split"),
     (r"(lib/form_factor|float_peer)/(rows|row_sampling|lunes|pixels|hidden_share)\.", None, "rows"),
     (r"lib/transport/sampling\.|lib/elements/|float_peer/sampling\.", None, "sampling"),
     (r"(lib/transport|float_peer)/shooting\.", r"\bscan_patches\b", "search"),
@@ -71,17 +68,6 @@ def stage_by_file(frames):
     return None
 
 
-def files_of_symbols(folder):
-    """{name of a function: source file} of the object files below `folder`."""
-    result = {}
-    for path in sorted(glob.glob(os.path.join(folder, "**", "*.cpp.obj"), recursive=True)):
-        source = re.sub(r"CMakeFiles/[^/]+\.dir/", "", path[:-len(".obj")])
-        for name, _, size in elf_symbols.symbols(path):
-            if size:
-                result.setdefault(name, source)
-    return result
-
-
 def function_names(elf):
     """A function from an address to the name of the symbol that covers it."""
     found = sorted((value & ~1, name) for name, value, _ in elf_symbols.symbols(elf) if not name.startswith(("$", ".")))
@@ -102,16 +88,14 @@ def stage_by_symbol(name):
     return "other"
 
 
-def stages(counts, elf, prefix, objects):
+def stages(counts, elf, prefix):
     """{stage: count} of {address: count}."""
-    files = files_of_symbols(objects) if objects else {}
-    frames = {} if objects else frames_of(sorted(counts), elf, prefix)
+    frames = frames_of(sorted(counts), elf, prefix)
     name_of = function_names(elf)
-    total = {}
-    for address, count in counts.items():
+    total, last = {}, {}
+    for address, count in sorted(counts.items()):
         name = name_of(address)
-        at = [(name, files[name])] if name in files else frames.get(address, [])
-        stage = stage_by_file(at) or stage_by_symbol(name)
+        stage = last[name] = stage_by_file(frames.get(address, [])) or last.get(name) or stage_by_symbol(name)
         total[stage] = total.get(stage, 0) + count
     return {stage: total[stage] for stage in ORDER if stage in total}
 
@@ -122,7 +106,6 @@ def main():
     parser.add_argument("elf", help="the program, with debug information")
     parser.add_argument("--region", default="solve", help="which region of the program (default: solve)")
     parser.add_argument("--prefix", required=True, help="of the binutils, such as arm-none-eabi-")
-    parser.add_argument("--objects", metavar="FOLDER", help="attribute by the object files below this folder")
     parser.add_argument("--json", action="store_true", help="print JSON instead of a table")
     parser.add_argument("--require", nargs="+", default=[], metavar="STAGE", help="fail unless each has been executed")
     options = parser.parse_args()
@@ -132,8 +115,7 @@ def main():
         print(f"stages.py: no region {options.region}; there are {', '.join(measured['regions'])}", file=sys.stderr)
         return 1
     region = measured["regions"][options.region]
-    result = stages({int(at, 16): count for at, count in region["by_pc"].items()}, options.elf, options.prefix,
-                    options.objects)
+    result = stages({int(at, 16): count for at, count in region["by_pc"].items()}, options.elf, options.prefix)
     missing = [stage for stage in options.require if stage not in result]
     if missing:
         print(f"stages.py: nothing executed in: {', '.join(missing)}; a rule fits no file", file=sys.stderr)

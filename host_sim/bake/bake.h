@@ -22,10 +22,10 @@ struct BakeOptions {
   std::string solver = "shooting";  ///< shooting | gathering
   std::optional<int> resolution;    ///< R
   std::optional<std::uint32_t> elements;
-  double unshot = 0.001;          ///< stop fraction
-  double flux_per_eye = 0.006;    ///< one eye point for each such part of the emitted flux
+  double unshot = 0.001;        ///< stop fraction
+  double flux_per_eye = 0.006;  ///< one eye point for each such part of the emitted flux
   bool overshoot = true;
-  bool ambient = false;           ///< add the ambient estimate of the rest to the result
+  bool ambient = false;  ///< add the ambient estimate of the rest to the result
 };
 
 /// How a scene is put into a profile's memory.

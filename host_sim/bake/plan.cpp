@@ -28,7 +28,7 @@ BakePlan plan_for(const PreparedScene& scene, const BakeOptions& options, const 
   const bool is_gathering = options.solver == "gathering";
   BakePlan plan;
   plan.profile = profile;
-  plan.resolution = options.resolution.value_or(profile.resolution);
+  plan.resolution = options.resolution.value_or(options.engine == "lunes" ? profile.lunes : profile.hemicube);
   const std::uint32_t patches = is_gathering ? elements : wanted_patches(profile, faces, elements);
   plan.meshing = make_uniform(scene, elements, patches);
   // Where elements are grouped the pool does not shrink with the mesh: a further element costs its own bytes
@@ -91,7 +91,9 @@ Settings make_settings(const BakeOptions& options, const BakePlan& plan) {
     settings.engine = lune_rows;
     settings.table = lune_table(plan.resolution);
     // Where elements are grouped, a patch that needs one eye point only is a weak one.
-    settings.coarse = plan.meshing.patch_count < plan.sizes.elements ? lune_table(std::max(8, plan.resolution / 2)) : nullptr;
+    settings.coarse = plan.meshing.patch_count < plan.sizes.elements
+                          ? lune_table(std::max(8, plan.resolution / 2))
+                          : nullptr;
     settings.probe = &kLune4;
   } else {
     settings.engine = options.engine == "pixels" ? hemicube_pixels : hemicube_rows;

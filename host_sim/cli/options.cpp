@@ -67,7 +67,9 @@ void add_solver_options(CLI::App& command, CommonOptions& options) {
   command.add_option("--solver", bake.solver, "Progressive shooting, or gathering with the full matrix")
       ->check(CLI::IsMember({"shooting", "gathering"}))
       ->capture_default_str();
-  command.add_option("--resolution", bake.resolution, "R, rows over the hemisphere; of a hemicube, pixels along an edge")
+  command
+      .add_option("--resolution", bake.resolution,
+                  "R, rows over the hemisphere; of a hemicube, pixels along an edge")
       ->check(CLI::IsMember({8, 16, 32, 64, 128}));
   command.add_option("--elements", bake.elements, "At most so many elements")->check(CLI::Range(1u, 60000u));
   command

@@ -13,7 +13,8 @@
 namespace fixrad::host {
 namespace {
 
-// Grid units. Corners are off their plane by kPlaneTolerance, eyes are lifted by half a unit or a little more.
+// Grid units. Corners are off their plane by kPlaneTolerance, eyes are lifted by half a unit or a little
+// more.
 constexpr double kContact = kPlaneTolerance + 1;
 
 struct Box2d {
@@ -115,10 +116,9 @@ void mark_clear_patches(DeviceScene& device, const Sizes& sizes) {
       const bool is_met = std::any_of(contacts.begin(), contacts.end(),
                                       [&](const Box2d& box) { return box.reaches_into(outline); });
       std::uint32_t share = 0;
-      const Status status =
-          is_met ? Status::ok
-                 : hidden_share(state.scene, kLune4, {vec(patch.eye), patch.face, 0}, state.is_enclosed,
-                                state.work, share);
+      const Status status = is_met ? Status::ok
+                                   : hidden_share(state.scene, kLune4, {vec(patch.eye), patch.face, 0},
+                                                  state.is_enclosed, state.work, share);
       patch.is_clear = !is_met && status == Status::ok && share == 0;
     }
   }

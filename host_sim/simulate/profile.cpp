@@ -5,11 +5,11 @@ namespace fixrad::host {
 
 const std::vector<Profile>& profiles() {
   static const std::vector<Profile> all = {
-      {"tiny", 6 * 1024, 2, 16, 100, 48, "ATmega2560"},
-      {"small", 13 * 1024, 4, 16, 270, 96, "Cortex-M0 (micro:bit)"},
-      {"medium", 60 * 1024, 4, 32, 600, 600, "Cortex-M3, ESP8266, RV32IMC"},
-      {"large", 480 * 1024, 4, 32, 2000, 2000, "Cortex-M4F, M7"},
-      {"host", 64 * 1024 * 1024, 8, 64, 6000, 6000, "PC"},
+      {"tiny", 6 * 1024, 2, 16, 16, 100, 48, "ATmega2560"},
+      {"small", 13 * 1024, 4, 16, 16, 270, 96, "Cortex-M0 (micro:bit)"},
+      {"medium", 60 * 1024, 4, 64, 32, 600, 600, "Cortex-M3, ESP8266, RV32IMC"},
+      {"large", 480 * 1024, 4, 64, 32, 2000, 2000, "Cortex-M4F, M7"},
+      {"host", 64 * 1024 * 1024, 8, 128, 64, 6000, 6000, "PC"},
   };
   return all;
 }

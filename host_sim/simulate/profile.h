@@ -15,7 +15,8 @@ struct Profile {
   std::string name;
   std::uint32_t ram_bytes;
   std::uint32_t pointer_bytes;  ///< of the typical chip
-  int resolution;               ///< R
+  int lunes;                    ///< R of lune rows
+  int hemicube;                 ///< R of a hemicube, whose R rows are 3 R with its sides
   std::uint32_t elements;       ///< that its accuracy needs
   std::uint32_t patches;
   std::string chip;

@@ -23,7 +23,8 @@ struct DeltaTableData {
 DeltaTableData make_delta_table(int resolution);
 
 /// Form factor between the middle of a lune and u = s / (1 + s), over the form factor of the whole lune:
-/// (atan s + s / (1 + s^2)) / pi, which is the integral of the cosine over half great circles (docs/lunes.md).
+/// (atan s + s / (1 + s^2)) / pi, which is the integral of the cosine over half great circles
+/// (docs/lunes.md).
 double half_lune_integral(double u);
 
 /// The committed half row of lunes: 256 running sums, units of 2^-16 of a whole row.

@@ -39,8 +39,9 @@ void print_hemicube(int resolution) {
   print_head();
   print_table("uint16_t", "kTop", data.top);
   print_table("uint16_t", "kSide", data.side);
-  std::printf("}  // namespace\n\nconst FIXRAD_IN_FLASH DeltaTable kDelta%d = {%d, kTop, kSide, nullptr};\n\n",
-              resolution, log2_of(resolution));
+  std::printf(
+      "}  // namespace\n\nconst FIXRAD_IN_FLASH DeltaTable kDelta%d = {%d, kTop, kSide, nullptr};\n\n",
+      resolution, log2_of(resolution));
   std::printf("}  // namespace fixrad\n");
 }
 

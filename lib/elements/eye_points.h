@@ -29,7 +29,8 @@ constexpr uint16_t kMaxEyes = 64;
 
 /// Number of candidate eyes at `level`.
 inline uint16_t candidate_count(const EyeSource& source, int level) {
-  return level == 0 ? static_cast<uint16_t>(1) : static_cast<uint16_t>(source.count * static_cast<unsigned>(level * level));
+  return level == 0 ? static_cast<uint16_t>(1)
+                    : static_cast<uint16_t>(source.count * static_cast<unsigned>(level * level));
 }
 
 /// The coarsest level that has at least `wanted` eyes, as far as kMaxEyes allows.

@@ -41,8 +41,7 @@ class Cutter {
 /// The same for a flux; odd in it, so that lent flux is cut like given flux.
 class FluxCutter {
  public:
-  FluxCutter(Flux flux, uint32_t phase)
-      : cutter_(magnitude(flux.raw), phase), is_negative_(flux.raw < 0) {}
+  FluxCutter(Flux flux, uint32_t phase) : cutter_(magnitude(flux.raw), phase), is_negative_(flux.raw < 0) {}
 
   Flux cut(uint32_t part) {
     const int32_t piece = static_cast<int32_t>(cutter_.cut(part));

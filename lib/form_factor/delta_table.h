@@ -13,17 +13,18 @@ namespace fixrad {
 ///
 /// Hemicube (Cohen & Greenberg 1985, "The Hemi-Cube", section 5, equations for the top and side pixels; here
 /// integrated over a row instead of summed by pixel): R/2 rows of R/2 entries for the top and as many for a
-/// side, row 0 next to the middle of the top, or next to the horizon of a side. UQ0.20 in 16 bits: the fullest
-/// half row, at R = 8, holds 0.0494 = 51,824 / 2^20.
+/// side, row 0 next to the middle of the top, or next to the horizon of a side. UQ0.20 in 16 bits: the
+/// fullest half row, at R = 8, holds 0.0494 = 51,824 / 2^20.
 ///
 /// Lunes (docs/lunes.md): R half great circles through one axis of the surface, equally spaced in the sine of
 /// their angle to the normal. All weigh 1/R, so one row of kLuneParts entries, in units of 1/2^16 of a whole
 /// row, serves every row of every R.
 struct DeltaTable {
-  uint8_t resolution_log2;             ///< k, R = 2^k, 3..7 (lunes: from 2)
-  const FIXRAD_FLASH uint16_t* top;    ///< hemicube: [R/2][R/2]; lunes: [kLuneParts]
-  const FIXRAD_FLASH uint16_t* side;   ///< hemicube: [R/2][R/2]; lunes: null
-  const FIXRAD_FLASH int16_t* cosine;  ///< lunes: [R/2], Q11, of a row's angle, from the middle out; hemicube: null
+  uint8_t resolution_log2;            ///< k, R = 2^k, 3..7 (lunes: from 2)
+  const FIXRAD_FLASH uint16_t* top;   ///< hemicube: [R/2][R/2]; lunes: [kLuneParts]
+  const FIXRAD_FLASH uint16_t* side;  ///< hemicube: [R/2][R/2]; lunes: null
+  const FIXRAD_FLASH int16_t*
+      cosine;  ///< lunes: [R/2], Q11, of a row's angle, from the middle out; hemicube: null
 };
 
 constexpr int kDeltaSumLog2 = 20;
@@ -48,9 +49,9 @@ inline int rows_from_middle(const DeltaTable& table, int r) {
 /// One row of a table.
 struct DeltaRow {
   const FIXRAD_FLASH uint16_t* half;
-  uint8_t part_bits;     ///< 2^part_bits positions are one entry
-  uint8_t shift;         ///< from entry * 2^part_bits to units of 2^-20
-  uint32_t half_total;   ///< sum of half the row, 2^-20
+  uint8_t part_bits;    ///< 2^part_bits positions are one entry
+  uint8_t shift;        ///< from entry * 2^part_bits to units of 2^-20
+  uint32_t half_total;  ///< sum of half the row, 2^-20
 
   /// Running sum from the left end of the row to x (0..kRowEnd), 2^-20; monotone, linear within an entry.
   uint32_t sum_to(int32_t x) const {
@@ -81,7 +82,8 @@ inline DeltaRow delta_row(const DeltaTable& table, bool is_top, int r) {
             static_cast<uint32_t>(1) << (kDeltaSumLog2 - 1 - table.resolution_log2)};
   }
   const int half_size = 1 << (table.resolution_log2 - 1);
-  const FIXRAD_FLASH uint16_t* half = (is_top ? table.top : table.side) + rows_from_middle(table, r) * half_size;
+  const FIXRAD_FLASH uint16_t* half =
+      (is_top ? table.top : table.side) + rows_from_middle(table, r) * half_size;
   const uint8_t part_bits = static_cast<uint8_t>(kRowLog2 - table.resolution_log2);
   return {half, part_bits, part_bits, flash_read(half, static_cast<unsigned>(half_size - 1))};
 }

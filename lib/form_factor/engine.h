@@ -14,7 +14,7 @@ namespace fixrad {
 struct EyeSample {
   EyePoint eye;
   uint32_t weight;  ///< the eye's part of kRowOne
-  bool back_faces;         ///< back faces block; without, the scene must be closed
+  bool back_faces;  ///< back faces block; without, the scene must be closed
 };
 
 /// An engine adds the form factors from one eye point to all elements to `row`, exactly `weight` in all.
@@ -27,8 +27,8 @@ using Engine = Status (*)(const Scene& scene, const DeltaTable& table, const Eye
 Status hemicube_rows(const Scene& scene, const DeltaTable& table, const EyeSample& sample, Workspace& work,
                      FormFactorRow& row);
 
-/// Lune rows: the same on rows of equal weight round one axis, with a table of kLune*: one projection instead of
-/// five, and a third of the rows (docs/lunes.md).
+/// Lune rows: the same on rows of equal weight round one axis, with a table of kLune*: one projection instead
+/// of five, and a third of the rows (docs/lunes.md).
 Status lune_rows(const Scene& scene, const DeltaTable& table, const EyeSample& sample, Workspace& work,
                  FormFactorRow& row);
 
@@ -38,9 +38,10 @@ Status lune_rows(const Scene& scene, const DeltaTable& table, const EyeSample& s
 Status hemicube_pixels(const Scene& scene, const DeltaTable& table, const EyeSample& sample, Workspace& work,
                        FormFactorRow& row);
 
-/// Fraction of a hemicube's top, or of all lunes, UQ12.20, that is hidden: the nearest face shows its back, or, where
-/// `nothing_hides`, there is no face at all (from inside an enclosed scene: the eye lies behind a wall). More
-/// than half: the eye is buried. The top alone, since what buries an eye stands over it. Cost: R rows.
+/// Fraction of a hemicube's top, or of all lunes, UQ12.20, that is hidden: the nearest face shows its back,
+/// or, where `nothing_hides`, there is no face at all (from inside an enclosed scene: the eye lies behind a
+/// wall). More than half: the eye is buried. The top alone, since what buries an eye stands over it. Cost: R
+/// rows.
 Status hidden_share(const Scene& scene, const DeltaTable& table, const EyePoint& eye, bool nothing_hides,
                     Workspace& work, uint32_t& share);
 

@@ -33,9 +33,10 @@ inline void clear(FormFactorRow& row) {
 constexpr uint16_t kEscapedSlot = 0xffff;
 constexpr uint16_t kBackSlot = 0xfffe;
 
-/// Adds the view of one eye point to a row. The eye owns the part `weight` of kRowOne; samples come in a fixed order and each ends at a running sum of delta form factors, so that rounding telescopes:
-/// after the last sample the eye has given exactly `weight`. Ends are rounded to nearest, lest the last
-/// element get all that others lose.
+/// Adds the view of one eye point to a row. The eye owns the part `weight` of kRowOne; samples come in a
+/// fixed order and each ends at a running sum of delta form factors, so that rounding telescopes: after the
+/// last sample the eye has given exactly `weight`. Ends are rounded to nearest, lest the last element get all
+/// that others lose.
 class RowWriter {
  public:
   RowWriter(FormFactorRow& row, uint32_t weight)

@@ -8,19 +8,17 @@
 
 namespace fixrad {
 
-/// A row of samples: the half-plane spanned by the local x axis (both ways) and a vector m = (0, y, z), z > 0.
-/// Position p on the row, x = p - kRowMiddle, shows the direction (x, w y, w z) with w = kRowMiddle on a row
-/// of a hemicube, where the row ends at the side's border, and w = kRowMiddle - |x| on a lune, which reaches
-/// the axis at its ends. Both are straight lines in (x, w), so a plane through the eye meets a row where a
-/// ratio of two numbers says (row_crossing), and is linear along it (a lune: from its middle on).
+/// A row of samples: the half-plane spanned by the local x axis (both ways) and a vector m = (0, y, z), z >
+/// 0. Position p on the row, x = p - kRowMiddle, shows the direction (x, w y, w z) with w = kRowMiddle on a
+/// row of a hemicube, where the row ends at the side's border, and w = kRowMiddle - |x| on a lune, which
+/// reaches the axis at its ends. Both are straight lines in (x, w), so a plane through the eye meets a row
+/// where a ratio of two numbers says (row_crossing), and is linear along it (a lune: from its middle on).
 struct RowPlane {
   int32_t y, z;   ///< m, Q11; |m| <= sqrt(2) on a hemicube, 1 on a lune
   uint32_t fold;  ///< 0 on a hemicube; all ones on a lune
 
   /// w of position x = p - kRowMiddle.
-  int32_t weight(int32_t x) const {
-    return kRowMiddle - static_cast<int32_t>(magnitude(x) & fold);
-  }
+  int32_t weight(int32_t x) const { return kRowMiddle - static_cast<int32_t>(magnitude(x) & fold); }
 };
 
 constexpr int kPlaneBits = 11;

@@ -89,8 +89,8 @@ void VisibleSpans::close(uint16_t i) {
   --count_;
 }
 
-// Gives `part` of span i to `index` and moves i to the last of the spans that come of it. Joins it to the span
-// before where that shows the same face, so that a face that replaces many keeps one span.
+// Gives `part` of span i to `index` and moves i to the last of the spans that come of it. Joins it to the
+// span before where that shows the same face, so that a face that replaces many keeps one span.
 bool VisibleSpans::paint(uint16_t& i, Interval part, uint16_t index) {
   Span* spans = work_.spans;
   const bool has_head = part.begin > spans[i].start;
@@ -129,7 +129,8 @@ bool VisibleSpans::insert(uint16_t index, Interval part, const RowPlane& plane) 
     Interval won = {spans[i].start > part.begin ? spans[i].start : part.begin,
                     spans[i + 1].start < part.end ? spans[i + 1].start : part.end};
     if (spans[i].view != kNothing) {
-      won = nearer_part(row_depth(work_.views[index], plane), row_depth(work_.views[spans[i].view], plane), won);
+      won = nearer_part(row_depth(work_.views[index], plane), row_depth(work_.views[spans[i].view], plane),
+                        won);
     }
     if (won.begin < won.end && !paint(i, won, index)) {
       return false;

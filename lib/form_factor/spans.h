@@ -7,8 +7,8 @@
 
 namespace fixrad {
 
-/// 1/depth of a face along one row, in 2^-shift of a unit common to all faces: linear in a position's x and w.
-/// x and m below 2^19, |at(p)| < 2^30.
+/// 1/depth of a face along one row, in 2^-shift of a unit common to all faces: linear in a position's x and
+/// w. x and m below 2^19, |at(p)| < 2^30.
 struct RowDepth {
   int32_t x, m;
   uint32_t fold;
@@ -33,9 +33,9 @@ class VisibleSpans {
   /// Starts a row that shows nothing. Needs a pool of two.
   void reset();
 
-  /// Shows view `index` on `part` (not empty) where it is nearer than what is there; of equals the earlier one
-  /// stays. Faces that pierce each other are split where they cross. False if the pool is full: the row is
-  /// then unusable. Cost: linear in the number of spans; four products for each face that is met.
+  /// Shows view `index` on `part` (not empty) where it is nearer than what is there; of equals the earlier
+  /// one stays. Faces that pierce each other are split where they cross. False if the pool is full: the row
+  /// is then unusable. Cost: linear in the number of spans; four products for each face that is met.
   bool insert(uint16_t index, Interval part, const RowPlane& plane);
 
   uint16_t count() const { return count_; }

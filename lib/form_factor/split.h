@@ -12,7 +12,8 @@ namespace fixrad {
 ///
 ///     for (ElementWalk walk(scene, view, plane, part); walk.next();) use(walk.element(), walk.end());
 ///
-/// Cost: fifteen products and up to two divisions of 7 quotient bits an interval, one division of 11 a crossing.
+/// Cost: fifteen products and up to two divisions of 7 quotient bits an interval, one division of 11 a
+/// crossing.
 class ElementWalk {
  public:
   /// Needs part.begin < part.end, and `view` to show its front.

@@ -26,8 +26,8 @@ struct EdgeCursor {
   RowMask rows;  ///< of the band that it crosses
 };
 
-/// A face as the current eye sees it; 92 bytes, what every row asks for first: Thumb code reaches no further in
-/// one instruction. Vectors are in the axes of the current side.
+/// A face as the current eye sees it; 92 bytes, what every row asks for first: Thumb code reaches no further
+/// in one instruction. Vectors are in the axes of the current side.
 struct FaceView {
   RowMask rows;           ///< of the current band that it may cover a part of
   RowMask ragged;         ///< of these, where rounding has bent it: more than two edges cross
@@ -35,10 +35,10 @@ struct FaceView {
   uint8_t corner_count;   ///< of the face
   bool is_back;           ///< its back is seen: it blocks and is black
   EdgeCursor left, right;
-  int16_t depth[3];         ///< normal / distance as a block of three numbers below 2^14: 1/depth in direction d
-  uint8_t depth_shift;      ///< is (depth . d) / 2^depth_shift, in a unit common to all faces
+  int16_t depth[3];     ///< normal / distance as a block of three numbers below 2^14: 1/depth in direction d
+  uint8_t depth_shift;  ///< is (depth . d) / 2^depth_shift, in a unit common to all faces
   uint8_t cells_u, cells_v;  ///< of the face
-  uint16_t first_cell_row;  ///< of the face
+  uint16_t first_cell_row;   ///< of the face
   uint16_t face;
   Vec3 grid_u, grid_v,
       grid_n;  ///< u = (grid_u . d) / (grid_n . d) is the cell coordinate in direction d; < 2^18

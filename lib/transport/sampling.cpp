@@ -41,8 +41,8 @@ Status look(State& state, const FIXRAD_FLASH DeltaTable* from, const EyeSample& 
 
 Status is_buried(State& state, const EyePoint& eye, bool& buried) {
   uint32_t share = 0;
-  const Status status =
-      hidden_share(state.scene, flash_read(state.settings.probe, 0), eye, state.is_enclosed, state.work, share);
+  const Status status = hidden_share(state.scene, flash_read(state.settings.probe, 0), eye, state.is_enclosed,
+                                     state.work, share);
   buried = share > kBuriedShare;
   state.withdrawn += buried ? 1u : 0u;
   return status;
@@ -132,7 +132,8 @@ class EyeSet {
       running += weight_of(state_, candidate.element) * candidate.weight;
       const uint32_t weight = part(running) - begin;
       const EyePoint eye = eye_at(state_, candidate.position, source_.face);
-      const Status status = weight == 0 ? Status::ok : look(state_, state_.settings.table, {eye, weight, !state_.is_closed});
+      const Status status =
+          weight == 0 ? Status::ok : look(state_, state_.settings.table, {eye, weight, !state_.is_closed});
       if (status != Status::ok) {
         return status;
       }
@@ -187,7 +188,8 @@ Status sample_source(State& state, const EyeSource& source, uint32_t wanted, Kno
     keep_light(state, source);
     return Status::ok;
   }
-  return look(state, weak_table(state.settings), {eye_at(state, vec(source.centre), source.face), kRowOne, !state.is_closed});
+  return look(state, weak_table(state.settings),
+              {eye_at(state, vec(source.centre), source.face), kRowOne, !state.is_closed});
 }
 
 }  // namespace fixrad

@@ -31,10 +31,10 @@ struct Observer {
 
 struct Settings {
   Engine engine = hemicube_rows;
-  const FIXRAD_FLASH DeltaTable* table = &kDelta16;   ///< for shots from several eye points
-  const FIXRAD_FLASH DeltaTable* coarse = nullptr;    ///< for shots from one, the weak ones; null: `table`
-  const FIXRAD_FLASH DeltaTable* probe = &kDelta8;  ///< for the question whether an eye is buried
-  Fraction stop = fraction(1, 1000);   ///< done when the sum of unshot flux is at most this, in every channel
+  const FIXRAD_FLASH DeltaTable* table = &kDelta16;  ///< for shots from several eye points
+  const FIXRAD_FLASH DeltaTable* coarse = nullptr;   ///< for shots from one, the weak ones; null: `table`
+  const FIXRAD_FLASH DeltaTable* probe = &kDelta8;   ///< for the question whether an eye is buried
+  Fraction stop = fraction(1, 1000);  ///< done when the sum of unshot flux is at most this, in every channel
   Fraction flux_per_eye =
       fraction(1, 100);    ///< a shot gets one eye point for each such part of the emitted flux
   bool overshoot = false;  ///< also shoot what the ambient estimate promises (Feda & Purgathofer 1992)
@@ -49,7 +49,8 @@ constexpr KnownEyes kCentroidClear = 1, kCentroidBuried = 2;
 struct State {
   Scene scene;
   /// All zeros until load(), so that a static solver takes no initial values from flash.
-  Settings settings = {nullptr, nullptr, nullptr, nullptr, {0}, {0}, false, {nullptr, nullptr, nullptr, nullptr}};
+  Settings settings = {nullptr, nullptr, nullptr, nullptr,
+                       {0},     {0},     false,   {nullptr, nullptr, nullptr, nullptr}};
   Workspace work;
   FormFactorRow row;
   int32_t* received;                      ///< [element][channel], flux received in all

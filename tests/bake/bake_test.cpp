@@ -15,15 +15,16 @@ TEST(Bake, FurnaceIsEquallyBrightEverywhere) {
   ASSERT_EQ(result.element_radiosity.size(), result.plan.sizes.elements);
   double flux = 0, area = 0;
   for (std::size_t e = 0; e < result.element_radiosity.size(); ++e) {
-    // Where two walls meet, a row of 32 pixels samples the near elements coarsely.
-    EXPECT_NEAR(result.element_radiosity[e].x, kFurnace, 0.05 * kFurnace) << "element " << e;
+    // Where two walls meet, rows of samples meet the near elements only now and then.
+    EXPECT_NEAR(result.element_radiosity[e].x, kFurnace, 0.03 * kFurnace) << "element " << e;
     area += result.device.mesh.elements[e].area;
     flux += result.element_radiosity[e].x * result.device.mesh.elements[e].area;
   }
   EXPECT_NEAR(flux / area, kFurnace, 0.005 * kFurnace);
   ASSERT_EQ(result.vertex_radiosity.size(), result.surface.positions.size());
+  // Extrapolation to a border doubles what the elements there are off.
   for (const glm::dvec3& b : result.vertex_radiosity) {
-    EXPECT_NEAR(b.x, kFurnace, 0.05 * kFurnace);
+    EXPECT_NEAR(b.x, kFurnace, 0.06 * kFurnace);
   }
 }
 

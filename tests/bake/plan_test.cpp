@@ -14,7 +14,7 @@ TEST(Plan, FitsEveryProfileThatTakesTheScene) {
     for (const Profile& profile : profiles()) {
       const BakePlan plan = make_plan(scene->prepared, on_profile(profile.name));
       EXPECT_LE(plan.ram(), profile.ram_bytes) << name << " on " << profile.name;
-      EXPECT_EQ(plan.resolution, profile.resolution);
+      EXPECT_EQ(plan.resolution, profile.lunes);
       EXPECT_EQ(plan.sizes.elements, plan.meshing.element_count);
       EXPECT_GE(plan.sizes.patches, plan.meshing.patch_count);
       EXPECT_GE(plan.sizes.elements, plan.sizes.faces) << "at least one element a face";

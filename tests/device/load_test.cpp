@@ -9,27 +9,28 @@ namespace {
 #define FIXRAD_FIVE(...) __VA_ARGS__, __VA_ARGS__, __VA_ARGS__, __VA_ARGS__, __VA_ARGS__
 
 constexpr FIXRAD_IN_FLASH Material kGood[6] = {{{0, 0, 0}, {kEmission, 0, 0}},
-                                            FIXRAD_FIVE({{0x80000000, 0, 0}, {0, 0, 0}})};
+                                               FIXRAD_FIVE({{0x80000000, 0, 0}, {0, 0, 0}})};
 constexpr FIXRAD_IN_FLASH Material kDark[6] = {{{0, 0, 0}, {0, 0, 0}},
-                                            FIXRAD_FIVE({{0x80000000, 0, 0}, {0, 0, 0}})};
+                                               FIXRAD_FIVE({{0x80000000, 0, 0}, {0, 0, 0}})};
 constexpr FIXRAD_IN_FLASH Material kMirror[6] = {{{0xffffffff, 0, 0}, {kEmission, 0, 0}},
-                                              FIXRAD_FIVE({{0x80000000, 0, 0}, {0, 0, 0}})};
+                                                 FIXRAD_FIVE({{0x80000000, 0, 0}, {0, 0, 0}})};
 constexpr FIXRAD_IN_FLASH Material kDazzling[6] = {{{0, 0, 0}, {0xffffffff, 0, 0}},
-                                                FIXRAD_FIVE({{0x80000000, 0, 0}, {0, 0, 0}})};
+                                                   FIXRAD_FIVE({{0x80000000, 0, 0}, {0, 0, 0}})};
 
 constexpr FIXRAD_IN_FLASH Vertex kOffGrid[8] = {{-1, 0, 0},      {8192, 0, 0},      {0, 8192, 0},
+                                                {8192, 8192, 0}, {0, 0, 8192},      {8192, 0, 8192},
+                                                {0, 8192, 8192}, {8192, 8192, 8192}};
+constexpr FIXRAD_IN_FLASH Vertex kBent[8] = {{90, 0, 0},      {8192, 0, 0},      {0, 8192, 0},
                                              {8192, 8192, 0}, {0, 0, 8192},      {8192, 0, 8192},
                                              {0, 8192, 8192}, {8192, 8192, 8192}};
-constexpr FIXRAD_IN_FLASH Vertex kBent[8] = {{90, 0, 0},   {8192, 0, 0},    {0, 8192, 0},    {8192, 8192, 0},
-                                          {0, 0, 8192}, {8192, 0, 8192}, {0, 8192, 8192}, {8192, 8192, 8192}};
 constexpr FIXRAD_IN_FLASH uint16_t kRepeated[24] = {0, 0, 6, 4, 1, 5, 7, 3, 0, 4, 5, 1,
-                                                 2, 3, 7, 6, 0, 1, 3, 2, 4, 6, 7, 5};
+                                                    2, 3, 7, 6, 0, 1, 3, 2, 4, 6, 7, 5};
 constexpr FIXRAD_IN_FLASH uint16_t kOutside[24] = {0, 2, 6, 8, 1, 5, 7, 3, 0, 4, 5, 1,
-                                                2, 3, 7, 6, 0, 1, 3, 2, 4, 6, 7, 5};
+                                                   2, 3, 7, 6, 0, 1, 3, 2, 4, 6, 7, 5};
 constexpr FIXRAD_IN_FLASH uint16_t kCrossed[24] = {0, 6, 2, 4, 1, 5, 7, 3, 0, 4, 5, 1,
-                                                2, 3, 7, 6, 0, 1, 3, 2, 4, 6, 7, 5};
+                                                   2, 3, 7, 6, 0, 1, 3, 2, 4, 6, 7, 5};
 constexpr FIXRAD_IN_FLASH uint16_t kSwapped[24] = {0,  1,  2,  4,  3,  5,  6,  7,  8,  9,  10, 11,
-                                                12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23};
+                                                   12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23};
 
 using Change = void (*)(Scene&);
 struct Refusal {

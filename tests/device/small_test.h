@@ -71,44 +71,44 @@ constexpr FIXRAD_IN_FLASH char kFile[] = __BASE_FILE__;
 
 #define TEST(suite, name)                                                                          \
   static void suite##_##name();                                                                    \
-  static constexpr FIXRAD_IN_FLASH char suite##_##name##_text[] = #suite "." #name;                   \
+  static constexpr FIXRAD_IN_FLASH char suite##_##name##_text[] = #suite "." #name;                \
   static ::fixrad::small_test::Case suite##_##name##_case(suite##_##name##_text, &suite##_##name); \
   static void suite##_##name()
 
 #define FIXRAD_FAIL(...) \
   ::fixrad::small_test::fail(::fixrad::small_test::kFile, static_cast<uint16_t>(__LINE__), __VA_ARGS__)
 
-#define FIXRAD_COMPARE(a, op, b, otherwise)                                 \
-  do {                                                                      \
-    const auto fixrad_a = (a);                                              \
-    const auto fixrad_b = (b);                                              \
-    if (!(fixrad_a op fixrad_b)) {                                          \
+#define FIXRAD_COMPARE(a, op, b, otherwise)                                    \
+  do {                                                                         \
+    const auto fixrad_a = (a);                                                 \
+    const auto fixrad_b = (b);                                                 \
+    if (!(fixrad_a op fixrad_b)) {                                             \
       static constexpr FIXRAD_IN_FLASH char fixrad_text[] = #a " " #op " " #b; \
-      FIXRAD_FAIL(fixrad_text, ::fixrad::small_test::value_of(fixrad_a),    \
-                  ::fixrad::small_test::value_of(fixrad_b));                \
-      otherwise;                                                            \
-    }                                                                       \
+      FIXRAD_FAIL(fixrad_text, ::fixrad::small_test::value_of(fixrad_a),       \
+                  ::fixrad::small_test::value_of(fixrad_b));                   \
+      otherwise;                                                               \
+    }                                                                          \
   } while (false)
 
-#define FIXRAD_HOLDS(condition, text, otherwise)               \
-  do {                                                         \
-    if (!(condition)) {                                        \
+#define FIXRAD_HOLDS(condition, text, otherwise)                  \
+  do {                                                            \
+    if (!(condition)) {                                           \
       static constexpr FIXRAD_IN_FLASH char fixrad_text[] = text; \
-      FIXRAD_FAIL(fixrad_text);                                \
-      otherwise;                                               \
-    }                                                          \
+      FIXRAD_FAIL(fixrad_text);                                   \
+      otherwise;                                                  \
+    }                                                             \
   } while (false)
 
-#define FIXRAD_NEAR(a, b, tolerance, otherwise)                                            \
-  do {                                                                                     \
-    const auto fixrad_a = (a);                                                             \
-    const auto fixrad_b = (b);                                                             \
-    if (!::fixrad::small_test::is_near(fixrad_a, fixrad_b, tolerance)) {                   \
+#define FIXRAD_NEAR(a, b, tolerance, otherwise)                                               \
+  do {                                                                                        \
+    const auto fixrad_a = (a);                                                                \
+    const auto fixrad_b = (b);                                                                \
+    if (!::fixrad::small_test::is_near(fixrad_a, fixrad_b, tolerance)) {                      \
       static constexpr FIXRAD_IN_FLASH char fixrad_text[] = #a " near " #b " by " #tolerance; \
-      FIXRAD_FAIL(fixrad_text, ::fixrad::small_test::value_of(fixrad_a),                   \
-                  ::fixrad::small_test::value_of(fixrad_b));                               \
-      otherwise;                                                                           \
-    }                                                                                      \
+      FIXRAD_FAIL(fixrad_text, ::fixrad::small_test::value_of(fixrad_a),                      \
+                  ::fixrad::small_test::value_of(fixrad_b));                                  \
+      otherwise;                                                                              \
+    }                                                                                         \
   } while (false)
 
 #define FIXRAD_GO_ON static_cast<void>(0)

@@ -16,17 +16,16 @@ struct UsedEyes {
   std::vector<EyeSample> pending, used;
 
   Observer observer() {
-    return {
-        this,
-        [](void* self, const DeltaTable&, const EyeSample& sample) {
-          static_cast<UsedEyes*>(self)->pending.push_back(sample);
-        },
-        [](void* self, std::uint16_t, const Flux*, bool) {
-          auto& eyes = *static_cast<UsedEyes*>(self);
-          eyes.used.insert(eyes.used.end(), eyes.pending.begin(), eyes.pending.end());
-          eyes.pending.clear();
-        },
-        [](void* self) { static_cast<UsedEyes*>(self)->pending.clear(); }};
+    return {this,
+            [](void* self, const DeltaTable&, const EyeSample& sample) {
+              static_cast<UsedEyes*>(self)->pending.push_back(sample);
+            },
+            [](void* self, std::uint16_t, const Flux*, bool) {
+              auto& eyes = *static_cast<UsedEyes*>(self);
+              eyes.used.insert(eyes.used.end(), eyes.pending.begin(), eyes.pending.end());
+              eyes.pending.clear();
+            },
+            [](void* self) { static_cast<UsedEyes*>(self)->pending.clear(); }};
   }
 };
 

@@ -112,7 +112,7 @@ TEST(Memory, StateIsWhatTheFormulaSaysButForPadding) {
 TEST(Memory, CornellWith250ElementsTakesAtMost8Kilobytes) {
   std::size_t used = 0;
   const Profile small = *find_profile("small");
-  EXPECT_EQ(small.resolution, 16);
+  EXPECT_EQ(small.hemicube, 16);
   EXPECT_LE(cornell_ram(small.elements, small.patches, used), 8192u);
   EXPECT_GE(used, 250u);
 }
