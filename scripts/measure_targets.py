@@ -121,9 +121,21 @@ def run_tests(preset):
     return [total - failed, total]
 
 
+def measure_static(commands):
+    """What the checks that run nothing print: worst-case stacks, and the size of `rows` where it is measured."""
+    pattern = r"worst-case stack: (\d+) bytes of (\d+)"
+    core, program = (re.search(pattern, run(*commands[f"Static.TheStackOf{what}Fits"], allowed=(0, 1)))
+                     for what in ("TheCore", "AProgram"))
+    result = {"static_stack": {"core": int(core[1]), "program": int(program[1]), "budget": int(program[2])}}
+    if "Static.CodeAndTablesForRowsFit" in commands:
+        text = run(*commands["Static.CodeAndTablesForRowsFit"], allowed=(0, 1))
+        result["rows_size"] = int(re.search(r"code and tables: (\d+) bytes", text)[1])
+    return result
+
+
 def measure_target(preset, board):
     print(f"building {preset}", file=sys.stderr)
-    run("cmake", "--preset", preset)
+    run("cmake", "--fresh", "--preset", preset)  # a cache keeps the flags of an older toolchain file
     run("cmake", "--build", "--preset", preset)
     tests, commands = run_tests(preset), commands_of(preset)
     print(f"{preset}: {tests[0]} of {tests[1]} tests passed", file=sys.stderr)
@@ -132,7 +144,7 @@ def measure_target(preset, board):
     with concurrent.futures.ThreadPoolExecutor(WORKERS) as pool:
         solved = pool.map(lambda s: measure_scene(preset, s, commands[f"Solve.{s}.GivesTheBitsOfTheHost"]), scenes)
         benched = pool.map(lambda s: measure_bench(preset, s, commands), benches)
-        return {"tests": tests, "scenes": dict(zip(scenes, solved)), "bench": dict(zip(benches, benched))}
+        return {"tests": tests, **measure_static(commands), "scenes": dict(zip(scenes, solved)), "bench": dict(zip(benches, benched))}
 
 
 def export_options():

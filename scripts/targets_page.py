@@ -1,7 +1,12 @@
 # SPDX-License-Identifier: MIT
 """docs/targets.md and the table of targets in README.md, from firmware/measurements.json."""
 
+import pathlib
 import re
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "firmware/emulators"))
+from stages import ORDER  # noqa: E402
 
 # preset: (core, chip whose clock is taken, MHz, compiler, emulator). Clocks: the chip's data sheet, highest nominal.
 CHIPS = {
@@ -13,6 +18,8 @@ CHIPS = {
     "atmega2560": ("AVR, 8-bit", "ATmega2560", 16, "avr-gcc", "simavr"),
     "esp8266": ("Xtensa lx106", "ESP8266", 80, "xtensa-lx106-elf-gcc", "QEMU sim"),
 }
+
+ROWS_AIM = 8192  # bytes of code and tables for `rows` at R = 16
 
 HEAD = """# Targets
 
@@ -28,11 +35,17 @@ one instruction a cycle.
 
 """
 
+STACK = """
+*Worst-case stack*: bytes of the deepest chain of calls, of the core / of a program that solves, and its budget; from the
+compiler's report on frames and calls or from machine code, without running.
+"""
+
 COLUMNS = """
 *Code*: the core's functions in the program, without the compiler's division and product routines. *Tables*: the core's
 + the scene's with its displayed mesh. *RAM*: the solver, all the memory it uses. *Stack*: high-water mark of the painted
 stack of the whole program. *Solve*: from the first shot to convergence; loading and the vertices come on top, below.
-*Error*: mean over faces that do not emit, weighted by area, of the radiosity's difference from path-traced truth.
+*Error*: mean over faces that do not emit, weighted by area, of the radiosity's difference from path-traced truth,
+whose standard error is at most {truth}.
 *Float / fixed*: what the same algorithm in `float` takes, divided by *solve*.
 """
 
@@ -42,8 +55,8 @@ STAGES = """
 The Cornell box, solving only, with the core and with its float peer. *Transform*: scene to eye, clipping. *Raster*:
 faces to intervals of a row. *Insert*: intervals by depth. *Split*: intervals to elements, delta form factors. *Rows*:
 the loop over them. *Distribute*: flux to elements and patches. *Search*: the brightest patch. Products, divisions,
-shifts and floats are the compiler's routines, whoever calls them; on the ATmega2560 what is inlined counts for the
-function around it.
+shifts and floats are the compiler's routines, whoever calls them. Stages below half a per cent on every target are *the
+rest*.
 """
 
 
@@ -81,9 +94,20 @@ def ratio(target, scene):
 def chip_table(measured):
     rows = []
     for preset, (core, chip, clock, compiler, emulator) in CHIPS.items():
-        passed, total = measured["targets"][preset]["tests"]
-        rows.append([f"`{preset}`", core, chip, f"{clock} MHz", compiler, emulator, unit_of(preset), f"{passed} of {total}"])
-    return table(["preset", "core", "chip of the clock", "clock", "compiler", "emulator", "counted", "tests passed"], rows, 7)
+        target = measured["targets"][preset]
+        passed, total = target["tests"]
+        stack = target["static_stack"]
+        rows.append([f"`{preset}`", core, f"{chip}, {clock} MHz", compiler, emulator, unit_of(preset), f"{passed} of {total}",
+                     f"{number(stack['core'])} / {number(stack['program'])} of {number(stack['budget'])}"])
+    return table(["preset", "core", "chip of the clock", "compiler", "emulator", "counted", "tests passed",
+                  "worst-case stack"], rows, 6)
+
+
+def size_lines(measured):
+    """The size of `rows` shooting, where a target's tests measure it."""
+    return "".join(f"\nCode and tables for shooting with `rows` at R = 16, compiled with -Os for {CHIPS[preset][0]},\nwith "
+                   f"loading and the checks of the scene: {number(target['rows_size'])} bytes; the aim is {number(ROWS_AIM)}.\n"
+                   for preset, target in measured["targets"].items() if "rows_size" in target)
 
 
 def scene_table(preset, target, errors):
@@ -108,17 +132,25 @@ def phases_table(measured):
     return table(["preset", "scene", "counted", "load", "solve", "all vertices and the digest"], rows, 3)
 
 
-def stage_table(measured, solver):
-    columns = [(preset, name, bench[solver]) for preset, target in measured["targets"].items()
-               for name, bench in target["bench"].items()]
-    names = []
-    for _, _, record in columns:
-        names += [stage for stage in record["stages"] if stage not in names]
-    rows = [[stage] + [f"{short(r['stages'][stage])} ({100 * r['stages'][stage] / r['solve']:.0f} %)"
-                       if stage in r["stages"] else "" for _, _, r in columns] for stage in names]
-    rows.append(["**all**"] + [f"**{short(r['solve'])}**" for _, _, r in columns])
-    header = [""] + [f"{preset} {name.rsplit('_', 1)[1]}" for preset, name, _ in columns]
-    return table(header, rows)
+def stage_table(columns):
+    """columns: (title, {"solve": count, "stages": {stage: count}})."""
+    share = {(t, stage): count / r["solve"] for t, r in columns for stage, count in r["stages"].items()}
+    shown = [stage for stage in ORDER if any(share.get((t, stage), 0) >= 0.005 for t, _ in columns)]
+    rows = [[stage] + [f"{short(r['stages'][stage])} ({100 * share[t, stage]:.0f} %)" if share.get((t, stage), 0) >= 0.005
+                       else "" for t, r in columns] for stage in shown]
+    rest = [r["solve"] - sum(r["stages"][s] for s in shown if share.get((t, s), 0) >= 0.005) for t, r in columns]
+    rows.append(["the rest"] + [short(count) for count in rest])
+    rows.append(["**all**"] + [f"**{short(r['solve'])}**" for _, r in columns])
+    return table([""] + [title for title, _ in columns], rows)
+
+
+def stage_tables(measured, solver):
+    """A table of each target's smallest Cornell box, and one of the others."""
+    first, others = [], []
+    for preset, target in measured["targets"].items():
+        for i, (name, bench) in enumerate(target["bench"].items()):
+            (others if i else first).append((f"{preset} {name.rsplit('_', 1)[1]}", bench[solver]))
+    return stage_table(first) + ("\n" + stage_table(others) if others else "")
 
 
 def peer_table(measured):
@@ -135,7 +167,8 @@ def peer_table(measured):
 
 
 def targets_page(measured):
-    text = HEAD + chip_table(measured) + COLUMNS
+    truth = max(error["truth"] for error in measured["errors"].values())
+    text = HEAD + chip_table(measured) + STACK + size_lines(measured) + COLUMNS.format(truth=f"{100 * truth:.2f} %")
     for preset, target in measured["targets"].items():
         core, chip, clock, _, _ = CHIPS[preset]
         text += f"\n## {core}: `cmake --workflow --preset {preset}`\n\nSeconds at {clock} MHz ({chip}).\n\n"
@@ -146,12 +179,13 @@ def targets_page(measured):
 ## Fixed point and float
 
 The same algorithm in `float` (`firmware/float_peer`), in the same program and run: software floating point everywhere but
-on Cortex-M4F and M7, which have hardware for it. Errors are mean differences of the elements' radiosities, over the
+on Cortex-M4F and M7, which have hardware for it. The ESP8266 has the routines for `float` in its ROM; here the board's own
+take their place (`firmware/boards/esp8266-sim`). Errors are mean differences of the elements' radiosities, over the
 scene's mean: from the same shots in double, and from double with a much finer hemicube on the same mesh.
 
 """
     text += peer_table(measured) + STAGES
-    text += "\n### The core\n\n" + stage_table(measured, "core") + "\n### The float peer\n\n" + stage_table(measured, "peer")
+    text += "\n### The core\n\n" + stage_tables(measured, "core") + "\n### The float peer\n\n" + stage_tables(measured, "peer")
     return text
 
 

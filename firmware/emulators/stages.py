@@ -32,16 +32,18 @@ RULES = [(re.compile(file), re.compile(function) if function else None, stage) f
     (r"lib/vertices/|float_peer/vert", None, "vertex"),
     (r"lib/scene/load\.", None, "load"),
     (r"lib/", None, "other of lib"),
+    (r"boards/.*/rom_float\.", None, "float"),
 ]]
 SYMBOLS = [(re.compile(pattern), stage) for pattern, stage in [
-    (r"^__aeabi_(f|cf|i2f|ui2f|l2f|ul2f|d|i2d|ui2d)|[sd]f([23]|[sd]i|[sd]f)?$|^__float|^__fix|_?fp_|^__fp", "float"),
+    (r"^__aeabi_(f|cf|i2f|ui2f|l2f|ul2f|d|i2d|ui2d)|[sd]f([23](x|_pse)?|[sd]i|[sd]f)?$|^__float|^__fix|_?fp_|^__fp", "float"),
     (r"div|mod", "division"),
     (r"mul", "multiplication"),
     (r"lasr|llsl|llsr|ash[lr]|lshr|clz|ctz", "shifts"),
+    (r"(add|sub)di3|cmp[sd]i2|neg[sd]i2", "wide sums"),
     (r"^mem(cpy|move|set)$|^__(prologue|epilogue)", "copying"),
 ]]
 ORDER = ["transform", "raster", "insert", "split", "rows", "sampling", "search", "distribute", "gathering", "vertex",
-         "load", "other of lib", "multiplication", "division", "shifts", "float", "copying", "other"]
+         "load", "other of lib", "multiplication", "division", "shifts", "wide sums", "float", "copying", "other"]
 
 
 def frames_of(addresses, elf, prefix):

@@ -47,4 +47,9 @@ inline int32_t floor_shift(int32_t a, int shift) {
   return a >> shift;
 }
 
+/// a / 2^shift to the nearest integer, shift > 0; needs a < 2^31 - 2^(shift - 1).
+inline int32_t rounded_shift(int32_t a, int shift) {
+  return floor_shift(a + (static_cast<int32_t>(1) << (shift - 1)), shift);
+}
+
 }  // namespace fixrad

@@ -6,8 +6,7 @@
 // Constant data (the scene, the delta form-factor tables) may live in another address space than RAM: on AVR
 // in program memory, of which instructions reach the first 64 KB. Every such table is defined
 // FIXRAD_IN_FLASH, every pointer to one is declared FIXRAD_FLASH, and what it points at is read through
-// flash_read() or flash_at() only. avr-gcc has no type for such pointers in C++; clang has, and checks them
-// (tests/static).
+// flash_read() or flash_at() only. avr-gcc has no type for such pointers in C++; clang has, and checks them.
 #if !defined(__AVR__)
 #define FIXRAD_IN_FLASH
 #define FIXRAD_FLASH

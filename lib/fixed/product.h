@@ -3,9 +3,9 @@
 
 #include <stdint.h>
 
-// What a core can do in one instruction, and 32 x 32 -> 64-bit products. A compiler makes one instruction of
-// them where there is one, and a call of a 64 x 64-bit routine where there is none: there a body of 16-bit
-// halves takes its place. Both give the same bits, and both are tested on every target.
+// 32 x 32 -> 64-bit products. A compiler makes one instruction of them where there is one; for AVR it calls a
+// routine of 8-bit products. Elsewhere it calls a 64 x 64-bit routine: there a body of 16-bit halves takes
+// its place. Both give the same bits, and both are tested on every target.
 
 namespace fixrad {
 
@@ -21,13 +21,13 @@ constexpr bool kHasDivision = false;
 constexpr bool kHasDivision = true;
 #endif
 
-/// The product in one instruction, where there is one.
+/// The product as the compiler makes it.
 inline uint64_t wide_product_plain(uint32_t a, uint32_t b) {
   return static_cast<uint64_t>(a) * b;
 }
 
-/// The product from four of 16-bit halves; the middle sum has 33 bits, hence its carry is taken by itself.
-/// Two of the four are left out where b has 16 bits, as most shares of a shot have.
+/// The product from four of 16-bit halves; the two in the middle are added one after the other, so that no
+/// sum passes 32 bits. Two of the four are left out where b has 16 bits, as most shares of a shot have.
 inline uint64_t wide_product_halves(uint32_t a, uint32_t b) {
   const uint32_t al = a & 0xffffu, ah = a >> 16, bl = b & 0xffffu, bh = b >> 16;
   const uint32_t low = al * bl;

@@ -11,12 +11,12 @@ namespace fixrad {
 struct EyePoint {
   Vec3 position;
   uint16_t face;
-  uint8_t turn;  ///< which of the fixed axis angles the hemicube is turned by, modulo kTurns
+  uint8_t turn;  ///< which of the fixed angles the axes are turned by, modulo kTurns
 };
 
 constexpr int kTurns = 16;
 
-/// The hemicube's axes in grid space, Q14; z is the normal of the face.
+/// The view's axes in grid space, Q14, |v| < 16,391; z is the normal of the face, rows run along x.
 struct EyeFrame {
   Vec3 x, y, z;
 };
@@ -26,7 +26,7 @@ struct EyeFrame {
 /// shot.
 EyeFrame eye_frame(const Face& face, uint8_t turn);
 
-/// A vector in grid space (|v| < 2^17) seen in the frame: Q14 times its unit, |result| < 2^31.
+/// A vector in grid space (components up to 2^16) seen in the frame: Q14 times its unit, |result| < 2^31.
 inline Vec3 to_local(const EyeFrame& frame, Vec3 v) {
   return {dot(frame.x, v), dot(frame.y, v), dot(frame.z, v)};
 }

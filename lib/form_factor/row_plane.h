@@ -23,6 +23,9 @@ struct RowPlane {
 
 constexpr int kPlaneBits = 11;
 
+/// Bits that row_crossing() takes.
+constexpr int kCrossingBits = 19;
+
 /// m of row `r` (0 .. R - 1, bottom up). A hemicube's rows are equally spaced on the side, a lune's in the
 /// sine of their angle, so that each weighs the same.
 inline RowPlane row_plane(const DeltaTable& table, int r) {
@@ -34,7 +37,7 @@ inline RowPlane row_plane(const DeltaTable& table, int r) {
   return {y, flash_read(table.cosine, static_cast<unsigned>(rows_from_middle(table, r))), 0xfffffffful};
 }
 
-/// floor(2^11 n / d) for n < d <= 2^20, by the division that the core has or that its compiler calls.
+/// floor(2^11 n / d) for n < d, n < 2^20, by the division that the core has or that its compiler calls.
 inline uint32_t fraction_plain(uint32_t n, uint32_t d) {
   return (n << kPlaneBits) / d;
 }
@@ -70,6 +73,17 @@ inline int32_t row_crossing(int32_t x, int32_t m, uint32_t fold) {
 struct Interval {
   int32_t begin, end;
 };
+
+/// The crossing within `part` of a plane that is known to meet the row there, its side changing from below to
+/// above (`rises`) or back. Where x says otherwise it is 0 but for rounding: the plane then meets the row in
+/// its far end, whichever that is, and elsewhere keeps the sign of m.
+inline int32_t crossing_within(Interval part, bool rises, int32_t x, int32_t m, uint32_t fold) {
+  if (rises ? x <= 0 : x >= 0) {
+    return (m > 0) == rises ? part.begin : part.end;
+  }
+  const int32_t position = row_crossing(x, m, fold);
+  return position < part.begin ? part.begin : (position > part.end ? part.end : position);
+}
 
 /// A set of up to 16 rows: bit i is row `first + i` of the band.
 using RowMask = uint16_t;

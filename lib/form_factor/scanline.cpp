@@ -4,7 +4,7 @@
 namespace fixrad {
 namespace {
 
-// With |m| <= sqrt(2) in Q11, normal . m stays below 2^31 for a normal below 2^19.
+// A row's |y| + z < 2^12, so normal . m stays below 2^31 for components up to 2^19.
 constexpr int kEdgeBits = 19;
 
 // From the axes of one side to those of the next: the top's (x, y, z) become (y, z, x); from then on a

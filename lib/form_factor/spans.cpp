@@ -6,7 +6,8 @@
 namespace fixrad {
 namespace {
 
-// 14 bits of a face's depth, one for the sum, 11 of a position, one for its sum: what is left of 31.
+// A face's depth (14 bits) times a direction (at most sqrt(3) 2^11) is below 2^26; with four bits more the
+// difference of two still is below 2^31.
 constexpr int kGuardBits = 4;
 
 // Shifts beyond the width of a number leave its sign.
@@ -14,18 +15,14 @@ int capped(int shift) {
   return shift < 31 ? shift : 31;
 }
 
-int32_t clamp(int32_t a, Interval range) {
-  return a < range.begin ? range.begin : (a > range.end ? range.end : a);
-}
-
 // The position where two faces are equally near; both lines come to the exponent of the farther face.
-int32_t where_equal(const RowDepth& a, const RowDepth& b) {
+int32_t where_equal(const RowDepth& a, const RowDepth& b, Interval part, bool rises) {
   const int difference = a.shift - b.shift;
   const int32_t ax = difference > 0 ? floor_shift(a.x, capped(difference)) : a.x;
   const int32_t am = difference > 0 ? floor_shift(a.m, capped(difference)) : a.m;
   const int32_t bx = difference < 0 ? floor_shift(b.x, capped(-difference)) : b.x;
   const int32_t bm = difference < 0 ? floor_shift(b.m, capped(-difference)) : b.m;
-  return row_crossing(ax - bx, am - bm, a.fold);
+  return crossing_within(part, rises, ax - bx, am - bm, a.fold);
 }
 
 }  // namespace
@@ -55,7 +52,7 @@ Interval nearer_part(const RowDepth& a, const RowDepth& b, Interval part) {
   if (begin >= 0 && end >= 0) {
     return part;
   }
-  const int32_t border = clamp(where_equal(a, b), part);
+  const int32_t border = where_equal(a, b, part, begin < 0);
   return begin > 0 ? Interval{part.begin, border} : Interval{border, part.end};
 }
 

@@ -35,7 +35,8 @@ class VisibleSpans {
 
   /// Shows view `index` on `part` (not empty) where it is nearer than what is there; of equals the earlier
   /// one stays. Faces that pierce each other are split where they cross. False if the pool is full: the row
-  /// is then unusable. Cost: linear in the number of spans; four products for each face that is met.
+  /// is then unusable. Cost: linear in the number of spans; twelve products for each face that is met, and a
+  /// division where they pierce each other.
   bool insert(uint16_t index, Interval part, const RowPlane& plane);
 
   uint16_t count() const { return count_; }

@@ -6,9 +6,9 @@
 namespace fixrad {
 namespace {
 
-// The part along a row's m of a vector of the grid, in its own unit.
+// The part along a row's m of a vector of the grid, 2^-kPlaneBits of its unit.
 int32_t along(Vec3 grid, const RowPlane& plane) {
-  return floor_shift(grid.y * plane.y + grid.z * plane.z, kPlaneBits);
+  return grid.y * plane.y + grid.z * plane.z;
 }
 
 // value / weight rounded down into [0, cells): rounding may put the ends of an interval just outside its
@@ -62,8 +62,15 @@ void ElementWalk::find_border(Axis& axis) const {
     axis.border = part_.end;
     return;
   }
-  const int32_t border = row_crossing(axis.x - k * weight_x_, axis.m - k * weight_m_, fold_);
-  axis.border = border < part_.end ? border : part_.end;
+  // Lines of a fine grid differ in their last bits only: the sum is formed with all of them and then cut.
+  int32_t x = (axis.x - k * weight_x_) * (static_cast<int32_t>(1) << kPlaneBits);
+  int32_t m = axis.m - k * weight_m_;
+  const int excess = bit_length(magnitude(x) | magnitude(m)) - kCrossingBits;
+  if (excess > 0) {
+    x = floor_shift(x, excess);
+    m = floor_shift(m, excess);
+  }
+  axis.border = crossing_within(part_, axis.step > 0, x, m, fold_);
 }
 
 uint16_t ElementWalk::element_at(int16_t u, int16_t v) {

@@ -35,8 +35,8 @@ struct FaceView {
   uint8_t corner_count;   ///< of the face
   bool is_back;           ///< its back is seen: it blocks and is black
   EdgeCursor left, right;
-  int16_t depth[3];     ///< normal / distance as a block of three numbers below 2^14: 1/depth in direction d
-  uint8_t depth_shift;  ///< is (depth . d) / 2^depth_shift, in a unit common to all faces
+  int16_t depth[3];          ///< normal / distance as a block of three 14-bit numbers: 1/depth in direction d
+  uint8_t depth_shift;       ///< is (depth . d) / 2^depth_shift, in a unit common to all faces
   uint8_t cells_u, cells_v;  ///< of the face
   uint16_t first_cell_row;   ///< of the face
   uint16_t face;
@@ -77,7 +77,8 @@ struct Workspace {
 };
 
 /// Prepares the view from `eye`: directions to all vertices, planes of all faces that can be seen or, where
-/// `back_faces` asks for it, block. Cost: 9 products a vertex, 20 a face.
+/// `back_faces` asks for it, block. Cost: 9 products a vertex, 15 and a division
+/// a face.
 void make_view(const Scene& scene, const EyePoint& eye, bool back_faces, Workspace& work);
 
 /// Adds the element grids of the faces in view. Cost: 50 products a face.

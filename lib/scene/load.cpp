@@ -252,8 +252,8 @@ int edge_balance(const Scene& scene, uint16_t a, uint16_t b) {
   return balance;
 }
 
-// Six times the signed volume under the faces, positive for bodies seen from outside. Differences of 15 bits:
-// a term has 46 bits at most.
+// Six times the signed volume under the faces, positive for bodies seen from outside. A term is at most 2
+// kGridMax^3 < 2^43, and there are fewer than 2^19.
 int64_t signed_volume(const Scene& scene) {
   int64_t sum = 0;
   for (uint16_t f = 0; f < scene.face_count; ++f) {

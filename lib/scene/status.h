@@ -24,7 +24,7 @@ enum class Status : uint8_t {
   reflectance_not_below_one,  ///< leaves no headroom: flux / (1 - reflectance) would overflow
   no_emitter,                 ///< no flux at all is emitted
   flux_overflow,          ///< emitted flux too large for 1/(1 - reflectance) headroom; use a larger flux unit
-  span_pool_full,         ///< a row of the hemicube shows more spans than the pool holds
+  span_pool_full,         ///< a row shows more spans than the pool holds
   item_buffer_too_small,  ///< hemicube_pixels needs R x R items; raise Limits::pixel_resolution
   bad_frame,              ///< a tangent that is not perpendicular to its normal, or axes beyond the grid
   bad_unit,               ///< emission_shift above 63 or radiosity_shift above 32

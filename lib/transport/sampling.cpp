@@ -6,7 +6,7 @@ namespace {
 
 constexpr uint32_t kBuriedShare = kRowOne / 2;
 
-// The flux an element has to send, cut to 20 bits so that 64 eyes of nine-fold weight stay below 2^30; at
+// The flux an element has to send, cut to 20 bits so that the weights of 64 eyes stay below 2^26; at
 // least 1, so that an element that has received nothing yet still has an eye.
 uint32_t weight_of(const State& state, uint16_t element) {
   uint64_t sum = 0;
