@@ -12,8 +12,6 @@
 #include <cstring>
 #include <vector>
 
-#include "firmware/scenes/cornell_large.h"
-#include "firmware/scenes/cornell_medium.h"
 #include "firmware/scenes/cornell_small.h"
 #include "firmware/scenes/cornell_tiny.h"
 #include "host_sim/reference/twin.h"
@@ -98,10 +96,7 @@ int main(int argc, char** argv) {
   if (argc == 2) {
     FIXRAD_REFERENCE(cornell_tiny, argv[1]);
     FIXRAD_REFERENCE(cornell_small, argv[1]);
-    FIXRAD_REFERENCE(cornell_medium, argv[1]);
-    FIXRAD_REFERENCE(cornell_large, argv[1]);
   }
-  std::fprintf(stderr,
-               "usage: make_bench_reference cornell_tiny|cornell_small|cornell_medium|cornell_large\n");
+  std::fprintf(stderr, "usage: make_bench_reference cornell_tiny|cornell_small\n");
   return 2;
 }
