@@ -13,6 +13,7 @@ The error of a scene is measured again only if its digest has changed: path trac
 
 import argparse
 import concurrent.futures
+import fcntl
 import json
 import pathlib
 import re
@@ -192,6 +193,17 @@ def write_pages(measured):
         write(path, text)
 
 
+def lock():
+    """Two runs at a time would build in the same folders."""
+    (ROOT / "build").mkdir(exist_ok=True)
+    file = (ROOT / "build/measure_targets.lock").open("w")
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError as error:
+        raise Failure("another run of this script is measuring") from error
+    return file
+
+
 def measure(options):
     presets, measured = target_presets(), read_measurements()
     for preset in options.targets or presets:
@@ -222,7 +234,8 @@ def main():
         elif not shutil.which(options.tool):
             raise Failure(f"{options.tool} is not there; build the preset host first")
         else:
-            measure(options)
+            with lock():
+                measure(options)
     except (Failure, OSError, KeyError, ValueError) as error:
         sys.exit(f"measure_targets: {type(error).__name__}: {error}")
 

@@ -26,7 +26,7 @@ HEAD = """# Targets
 Made by `scripts/measure_targets.py`; do not edit. A test compares this page with the committed scenes, and each
 target's tests count its Cornell box again and allow two per cent.
 
-Every program has run in the target's emulator, compiled with -O2, and has given the digest of the host, bit for bit.
+Every program has run in the target's emulator, compiled with -O3, and has given the digest of the host, bit for bit.
 
 **Instructions are not cycles.** QEMU counts executed instructions: real chips wait for flash and take several cycles
 for loads, taken branches, products and divisions. Only the ATmega2560's column counts cycles, from simavr. *Seconds*
