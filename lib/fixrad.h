@@ -4,11 +4,11 @@
 // clang-format off
 // Radiosity in fixed point, one page:
 //
-//     static fixrad::Solver<fixrad::Limits<28, 20, 264, 97>> solver;  // all memory there is
+//     static fixrad::Solver<fixrad::Limits<28, 20, 264>> solver;  // all memory there is
 //
 //     fixrad::Status status = solver.load(scene);            // checks everything or changes nothing
 //     while (status == fixrad::Status::ok) {
-//       status = solver.step();                              // the brightest patch shoots
+//       status = solver.step();                              // the brightest shoot first
 //     }
 //     colour = solver.vertex_radiosity(map, vertex, channel);  // any time: the picture only gets better
 //
@@ -17,6 +17,7 @@
 
 #include "lib/transport/gathering.h"
 #include "lib/transport/shooting.h"
+#include "lib/transport/unshot.h"
 #include "lib/vertices/digest.h"
 #include "lib/vertices/vertex_radiosity.h"
 
@@ -25,25 +26,24 @@ namespace fixrad {
 /// What a solver has room for, at compile time. Spans: a row needs at most two more than twice the faces, and
 /// two more for each pair of faces that pierce each other; `fixrad info` prints what a scene really uses.
 /// PixelResolution: R of the largest table that hemicube_pixels is to use; 0 leaves the item buffer out.
-template <uint16_t Vertices, uint16_t Faces, uint16_t Elements, uint16_t Patches,
-          uint16_t Spans = 2 * Faces + 2, uint8_t Channels = 3, uint16_t PixelResolution = 0>
+template <uint16_t Vertices, uint16_t Faces, uint16_t Elements, uint16_t Spans = 2 * Faces + 2,
+          uint8_t Channels = 3, uint16_t PixelResolution = 0>
 struct Limits {
-  static constexpr uint16_t vertices = Vertices, faces = Faces, elements = Elements, patches = Patches,
-                            spans = Spans;
+  static constexpr uint16_t vertices = Vertices, faces = Faces, elements = Elements, spans = Spans;
   static constexpr uint8_t channels = Channels;
   static constexpr uint16_t pixel_resolution = PixelResolution;
 };
 
 /// The sizes in Limits as numbers, for sizing before there is a type.
 struct Sizes {
-  uint32_t vertices, faces, elements, patches, spans, channels, pixel_resolution;
+  uint32_t vertices, faces, elements, spans, channels, pixel_resolution;
 };
 
-/// Bytes of a solver's arrays; equal on every target. A further element costs 4 channels + 4 bytes.
+/// Bytes of a solver's arrays; equal on every target. A further element costs 6 channels + 4 bytes.
 constexpr uint32_t pool_bytes(const Sizes& s) {
   return s.vertices * static_cast<uint32_t>(sizeof(Direction)) +
          s.faces * static_cast<uint32_t>(sizeof(FaceView)) + s.spans * static_cast<uint32_t>(sizeof(Span)) +
-         s.elements * (4 * s.channels + 4) + s.patches * (4 * s.channels + 1) +
+         s.elements * (4 * s.channels + 4) + 4 * s.channels * account_words(s.elements, s.faces) +
          s.pixel_resolution * s.pixel_resolution * static_cast<uint32_t>(sizeof(Item));
 }
 
@@ -66,13 +66,12 @@ class Solver {
   /// Checks `scene` and starts its solution; anything but ok leaves the solver as it was. The scene's tables
   /// must outlive it.
   [[nodiscard]] Status load(const Scene& scene, const Settings& settings = {}) {
-    const Status status = check_scene(scene, {L::vertices, L::faces, L::elements, L::patches, L::channels});
+    const Status status = check_scene(scene, {L::vertices, L::faces, L::elements, L::channels});
     if (status == Status::ok) {
       state_.work = {directions_, views_, spans_, items_, item_count, L::spans, 0, 0, 0};
       state_.row = {share_, scene.element_count, 0, 0};
       state_.received = received_;
-      state_.unshot = unshot_;
-      state_.known_eyes = known_eyes_;
+      state_.accounts = accounts_;
       reset(state_, scene, settings);
     }
     return status;
@@ -97,13 +96,12 @@ class Solver {
 
   State state_;
   int32_t received_[static_cast<uint32_t>(L::elements) * L::channels];
-  int32_t unshot_[static_cast<uint32_t>(L::patches) * L::channels];
+  int32_t accounts_[account_words(L::elements, L::faces) * L::channels];
   FaceView views_[L::faces];
   Direction directions_[L::vertices];
   Span spans_[L::spans];
   Item items_[item_count > 0 ? item_count : 1];
   uint32_t share_[L::elements];
-  KnownEyes known_eyes_[L::patches];
 };
 
 }  // namespace fixrad

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "host_sim/simulate/clear_patches.h"
+#include "host_sim/simulate/eye_sights.h"
 
 namespace fixrad::host {
 namespace {
@@ -117,7 +117,7 @@ BakeResult bake(const PreparedScene& scene, const BakeOptions& options, const Pr
   BakeResult result;
   result.plan = make_plan(scene, options);
   result.device = make_device_scene(scene, result.plan.meshing);
-  mark_clear_patches(result.device, result.plan.sizes);
+  find_sights(result.device, result.plan.sizes);
   result.surface = make_surface_mesh(scene, result.device);
   SimulatedDevice device(result.plan.sizes);
   Settings settings = make_settings(options, result.plan);

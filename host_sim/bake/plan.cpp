@@ -15,12 +15,11 @@ std::uint32_t default_elements(const Profile& profile, std::uint32_t faces) {
   return std::min(kMostElements, std::max(profile.elements, faces * 6u));
 }
 
-// Small profiles group elements for shooting, into as many patches however many elements there are: a further
-// element then costs its own bytes alone.
-std::uint32_t wanted_patches(const Profile& profile, std::uint32_t faces, std::uint32_t elements) {
-  const bool shoots_itself = profile.patches == profile.elements;
-  return shoots_itself ? elements : std::min(elements, std::max(profile.patches, faces * 4));
-}
+// Elements shoot in patches of about so many once each has little left to send.
+constexpr std::uint32_t kElementsOfPatch = 4;
+
+// flux_per_row times the number of elements: the finer the mesh, the finer the light that it is to show.
+constexpr double kFluxOfElementRow = 0.1;
 
 BakePlan plan_for(const PreparedScene& scene, const BakeOptions& options, const Profile& profile,
                   std::uint32_t elements) {
@@ -29,18 +28,12 @@ BakePlan plan_for(const PreparedScene& scene, const BakeOptions& options, const 
   BakePlan plan;
   plan.profile = profile;
   plan.resolution = options.resolution.value_or(options.engine == "lunes" ? profile.lunes : profile.hemicube);
-  const std::uint32_t patches = is_gathering ? elements : wanted_patches(profile, faces, elements);
-  plan.meshing = make_uniform(scene, elements, patches);
-  // Where elements are grouped the pool does not shrink with the mesh: a further element costs its own bytes
-  // alone.
-  const std::uint32_t patch_pool =
-      patches < elements ? std::max(patches, plan.meshing.patch_count) : plan.meshing.patch_count;
+  plan.meshing = make_uniform(scene, elements, elements / kElementsOfPatch);
   const auto channels = static_cast<std::uint32_t>(scene.channels);
   const std::uint32_t n = plan.meshing.element_count;
   plan.sizes = {static_cast<std::uint32_t>(scene.vertices.positions.size()),
                 faces,
                 n,
-                patch_pool,
                 std::min(65535u, 2 * faces + 1 + kPiercing),
                 channels,
                 options.engine == "pixels" ? static_cast<std::uint32_t>(plan.resolution) : 0u};
@@ -88,18 +81,17 @@ Settings make_settings(const BakeOptions& options, const BakePlan& plan) {
   };
   Settings settings;
   if (options.engine == "lunes") {
-    settings.engine = lune_rows;
-    settings.table = lune_table(plan.resolution);
-    // Where elements are grouped, a patch that needs one eye point only is a weak one.
-    settings.coarse = plan.meshing.patch_count < plan.sizes.elements
-                          ? lune_table(std::max(8, plan.resolution / 2))
-                          : nullptr;
-    settings.probe = &kLune4;
+    const DeltaTable* finest = lune_table(plan.resolution);
+    settings.tables = kLunes;
+    settings.table_count = static_cast<std::uint8_t>(finest - settings.tables + 1);
   } else {
     settings.engine = options.engine == "pixels" ? hemicube_pixels : hemicube_rows;
-    settings.table = delta_table(plan.resolution);
+    settings.tables = delta_table(plan.resolution);
+    settings.table_count = 1;
+    settings.probe = &kDelta8;
   }
   settings.stop = to_fraction(options.unshot);
+  settings.flux_per_row = to_fraction(options.flux_per_row.value_or(kFluxOfElementRow / plan.sizes.elements));
   settings.flux_per_eye = to_fraction(options.flux_per_eye);
   settings.overshoot = plan.overshoot;
   return settings;

@@ -11,6 +11,7 @@ namespace {
 constexpr std::uint32_t kElements = 1500;
 constexpr int kResolution = 64;
 constexpr std::uint32_t kEyes = 4;  // an element
+constexpr std::uint32_t kFinestRows = 0xffffffffu;
 
 using Matrix = std::vector<std::vector<double>>;
 
@@ -30,8 +31,7 @@ Matrix face_factors(const LoadedScene& scene, const BakeResult& solution_frame, 
   Matrix factors(faces, std::vector<double>(faces, 0.0));
   std::vector<double> row(faces);
   for (std::uint16_t e = 0; e < device.elements.size() && !is_interrupted(); ++e) {
-    KnownEyes known = 0;
-    if (sample_source(state, element_source(state.scene, e), kEyes, known) != Status::ok) {
+    if (sample_element(state, e, kEyes, kFinestRows) != Status::ok) {
       throw InputError(scene.model.path +
                        ": error: a row shows more spans than the pool holds; let no faces pierce each other");
     }

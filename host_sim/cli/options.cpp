@@ -69,13 +69,18 @@ void add_solver_options(CLI::App& command, CommonOptions& options) {
       ->capture_default_str();
   command
       .add_option("--resolution", bake.resolution,
-                  "R, rows over the hemisphere; of a hemicube, pixels along an edge")
+                  "R: rows over the hemisphere for the strongest shots; of a hemicube, pixels along an edge")
       ->check(CLI::IsMember({8, 16, 32, 64, 128}));
   command.add_option("--elements", bake.elements, "At most so many elements")->check(CLI::Range(1u, 60000u));
   command
       .add_option("--unshot", bake.unshot, "Stop when the unshot flux is under this part of the emitted flux")
       ->check(below_one(false))
       ->capture_default_str();
+  command
+      .add_option(
+          "--flux-per-row", bake.flux_per_row,
+          "One row of samples for each such part of the emitted flux; less is more accurate and slower")
+      ->check(below_one(false));
   command
       .add_option("--flux-per-eye", bake.flux_per_eye, "One eye point for each such part of the emitted flux")
       ->check(below_one(false))

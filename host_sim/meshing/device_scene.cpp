@@ -156,19 +156,10 @@ class Builder {
   void add_patches() {
     for (const std::vector<std::uint16_t>& members : patch_members_) {
       Patch record = {};
-      glm::dvec3 sum(0.0);
-      double weight = 0;
-      for (const std::uint16_t e : members) {
-        const MeshElement& element = device_.mesh.elements[e];
-        sum += element.area * (element.centroid - device_.grid.origin) * device_.grid.scale;
-        weight += element.area;
-        device_.patch_elements.push_back(e);
-      }
+      device_.patch_elements.insert(device_.patch_elements.end(), members.begin(), members.end());
       record.face = device_.elements[members.front()].face;
       record.first_element = static_cast<std::uint16_t>(device_.patch_elements.size() - members.size());
       record.element_count = static_cast<std::uint16_t>(members.size());
-      const glm::dvec3 corner(scene_.vertices.positions[scene_.faces[record.face].corners[0]]);
-      store_eye(record.eye, sum / weight, scene_.frames[record.face], corner);
       device_.patches.push_back(record);
     }
   }
@@ -273,6 +264,7 @@ Scene DeviceScene::view() const {
   scene.patches = patches.data();
   scene.patch_elements = patch_elements.data();
   scene.materials = materials.data();
+  scene.sights = sights.empty() ? nullptr : sights.data();
   scene.vertex_count = static_cast<std::uint16_t>(vertices.size());
   scene.corner_count = static_cast<std::uint16_t>(corners.size());
   scene.face_count = static_cast<std::uint16_t>(faces.size());
@@ -289,7 +281,7 @@ Scene DeviceScene::view() const {
 std::size_t DeviceScene::rom_bytes() const {
   return vertices.size() * sizeof(Vertex) + corners.size() * 2 + faces.size() * sizeof(fixrad::Face) +
          cell_rows.size() * sizeof(CellRow) + elements.size() * sizeof(Element) +
-         patches.size() * sizeof(Patch) + patch_elements.size() * 2 +
+         patches.size() * sizeof(Patch) + patch_elements.size() * 2 + sights.size() * sizeof(Sight) +
          materials.size() * sizeof(fixrad::Material);
 }
 

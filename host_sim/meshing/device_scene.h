@@ -56,6 +56,7 @@ struct DeviceScene {
   std::vector<Patch> patches;
   std::vector<std::uint16_t> patch_elements;
   std::vector<fixrad::Material> materials;
+  std::vector<Sight> sights;  ///< [elements], or empty
   int channels = 3;
   int emission_shift = 0, radiosity_shift = 0;
   double unit_watts = 1;      ///< one flux unit, W

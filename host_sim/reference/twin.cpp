@@ -27,13 +27,9 @@ Twin::Twin(const Scene& scene, const Settings& settings)
     : scene_(make_twin_scene(scene)),
       hemisphere_(scene_, engine_of(settings.engine)),
       received_(scene_.element_count() * scene_.channels, 0.0),
-      unshot_(static_cast<std::size_t>(scene_.patch_count) * scene_.channels, 0.0) {
+      sent_(received_.size(), 0.0),
+      has_emitted_(scene_.element_count(), false) {
   row_.share.resize(scene_.element_count());
-  for (std::size_t e = 0; e < scene_.element_count(); ++e) {
-    for (std::size_t c = 0; c < scene_.channels; ++c) {
-      unshot_[scene_.element_patch[e] * scene_.channels + c] += scene_.emitted[e * scene_.channels + c];
-    }
-  }
 }
 
 void Twin::replay(const Recorder& recorder) {
@@ -48,37 +44,46 @@ void Twin::shoot(const RecordedShot& shot, const RecordedEye* eyes) {
   for (std::size_t i = 0; i < shot.eye_count; ++i) {
     hemisphere_.add(eyes[i], row_);
   }
-  if (shot.eye_count == 0) {
-    keep_light(shot.patch);
+  if (shot.eye_count == 0) {  // buried: its light stays on it, as in the core
+    row_.share[shot.elements.front()] = 1.0;
   }
   const std::size_t channels = scene_.channels;
   double amount[kMaxChannels] = {};
   for (std::size_t c = 0; c < channels; ++c) {
-    double& unshot = unshot_[shot.patch * channels + c];
-    amount[c] = unshot * shot.factor[c];
-    unshot -= amount[c];
+    amount[c] = send(shot, c);
     escaped_[c] += amount[c] * row_.escaped;
     back_[c] += amount[c] * row_.back;
   }
   for (std::size_t e = 0; e < scene_.element_count(); ++e) {
-    if (row_.share[e] == 0.0) {
-      continue;
-    }
-    double* unshot = unshot_.data() + scene_.element_patch[e] * channels;
     for (std::size_t c = 0; c < channels; ++c) {
-      const double share = amount[c] * row_.share[e];
-      received_[e * channels + c] += share;
-      unshot[c] += scene_.reflectance[e * channels + c] * share;
+      received_[e * channels + c] += amount[c] * row_.share[e];
     }
+  }
+  if (shot.is_emission) {
+    has_emitted_[shot.elements.front()] = true;
   }
 }
 
-// A patch in contact with another face: its light stays on its own elements, as in the core.
-void Twin::keep_light(std::size_t patch) {
-  const auto count = std::count(scene_.element_patch.begin(), scene_.element_patch.end(), patch);
-  for (std::size_t e = 0; e < scene_.element_count(); ++e) {
-    row_.share[e] = scene_.element_patch[e] == patch ? 1.0 / static_cast<double>(count) : 0.0;
+// Which elements of a group a loan belongs to does not matter: from then on they shoot together.
+double Twin::send(const RecordedShot& shot, std::size_t c) {
+  double amount = 0;
+  for (const std::uint16_t e : shot.elements) {
+    const std::size_t i = e * scene_.channels + c;
+    if (shot.is_emission) {
+      amount += scene_.emitted[i];
+      continue;
+    }
+    const double own = scene_.reflectance[i] * received_[i] - sent_[i];
+    const double part = own + shot.more[c] / static_cast<double>(shot.elements.size());
+    sent_[i] += part;
+    amount += part;
   }
+  return amount;
+}
+
+double Twin::unshot(std::size_t element, std::size_t c) const {
+  const std::size_t i = element * scene_.channels + c;
+  return (has_emitted_[element] ? 0.0 : scene_.emitted[i]) + scene_.reflectance[i] * received_[i] - sent_[i];
 }
 
 double Twin::exitent_flux(std::size_t element, std::size_t c) const {

@@ -14,7 +14,7 @@ namespace fixrad::host {
 
 /// Reference 1: the core's form factors and shooting in double precision. It replays the shots of a
 /// fixed-point run, with the same eye points, axes and resolution, so that only the arithmetic differs; what
-/// each patch has to send is the twin's own.
+/// each element has to send is the twin's own.
 class Twin {
  public:
   /// Starts from the emitted flux. Of `settings` only the engine counts; throws std::invalid_argument if it
@@ -39,7 +39,8 @@ class Twin {
   }
   /// Emitted and reflected in all; never negative.
   double exitent_flux(std::size_t element, std::size_t c) const;
-  double unshot(std::size_t patch, std::size_t c) const { return unshot_[patch * scene_.channels + c]; }
+  /// Emission that is still to come included.
+  double unshot(std::size_t element, std::size_t c) const;
   double emitted(std::size_t c) const;   ///< by all elements
   double absorbed(std::size_t c) const;  ///< by all elements
   double escaped(std::size_t c) const { return escaped_[c]; }
@@ -51,13 +52,14 @@ class Twin {
   std::vector<glm::dvec3> element_radiosity(double unit_watts, double area_unit) const;
 
  private:
-  void keep_light(std::size_t patch);
+  double send(const RecordedShot& shot, std::size_t c);
 
   TwinScene scene_;
   TwinHemisphere hemisphere_;
   TwinFormFactors row_;
   std::vector<double> received_;  // [element][channel]
-  std::vector<double> unshot_;    // [patch][channel]
+  std::vector<double> sent_;      // [element][channel], of what it reflects
+  std::vector<bool> has_emitted_;
   double escaped_[kMaxChannels] = {};
   double back_[kMaxChannels] = {};
 };

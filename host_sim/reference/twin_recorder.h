@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "lib/transport/state.h"
@@ -18,18 +19,18 @@ struct RecordedEye {
 
 /// One shot of a fixed-point run.
 struct RecordedShot {
-  std::uint16_t patch;
-  std::size_t first_eye, eye_count;  ///< into Recorder::eyes()
-  std::array<double, kMaxChannels>
-      factor;  ///< flux sent over the patch's unshot flux; 1 but for overshooting
+  bool is_emission;                       ///< of the only element, else reflected light
+  std::vector<std::uint16_t> elements;    ///< that shot
+  std::size_t first_eye, eye_count;       ///< into Recorder::eyes()
+  std::array<double, kMaxChannels> more;  ///< flux sent beyond the unshot flux: lent, or kept back (below 0)
 };
 
-/// Writes down what a fixed-point run does, so that its twin in double can replay it: which patch shot, from
-/// which eye points, and how much it overshot. Put observer() into the run's Settings; the recorder must stay
-/// where it is until the run ends.
+/// Writes down what a fixed-point run does, so that its twin in double can replay it: which elements shot,
+/// from which eye points, and how much they overshot. Put observer() into the run's Settings; the recorder
+/// must stay where it is until the run ends.
 class Recorder {
  public:
-  /// `state` is that of the run, read when a shot is fired: flux before the shot is still in its ledger.
+  /// `state` is that of the run.
   explicit Recorder(const State& state) : state_(&state) {}
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
@@ -39,7 +40,7 @@ class Recorder {
   const std::vector<RecordedEye>& eyes() const { return eyes_; }
 
  private:
-  void take_shot(std::uint16_t patch, const Flux* amount, bool overshoots);
+  void take_shot(const Shot& shot);
   void withdraw() { eyes_.resize(shot_eyes_); }
 
   const State* state_;

@@ -42,7 +42,6 @@ TwinFace make_face(const TwinScene& twin, const Face& record) {
 void add_element(TwinScene& twin, const Scene& scene, const Element& element) {
   const Material material = flash_read(scene.materials, flash_read(scene.faces, element.face).material);
   twin.element_area.push_back(element.area);
-  twin.element_patch.push_back(element.patch);
   for (int c = 0; c < scene.channels; ++c) {
     const double density = std::ldexp(static_cast<double>(material.emission[c]), -scene.emission_shift);
     twin.emitted.push_back(density * element.area);
@@ -56,7 +55,6 @@ void add_element(TwinScene& twin, const Scene& scene, const Element& element) {
 TwinScene make_twin_scene(const Scene& scene) {
   TwinScene twin;
   twin.channels = scene.channels;
-  twin.patch_count = scene.patch_count;
   for (unsigned i = 0; i < scene.vertex_count; ++i) {
     twin.vertices.push_back(to_double(vec(flash_read(scene.vertices, i))) * static_cast<double>(kEyeScale));
   }

@@ -26,11 +26,9 @@ struct TwinScene {
   std::vector<std::uint16_t> corners;
   std::vector<TwinFace> faces;
   std::vector<CellRow> cell_rows;
-  std::vector<double> element_area;          ///< 1/8 square grid units
-  std::vector<std::uint16_t> element_patch;  ///< patch of each element
-  std::vector<double> reflectance;           ///< [element][channel]
-  std::vector<double> emitted;               ///< [element][channel], flux units, not rounded
-  std::uint32_t patch_count = 0;
+  std::vector<double> element_area;  ///< 1/8 square grid units
+  std::vector<double> reflectance;   ///< [element][channel]
+  std::vector<double> emitted;       ///< [element][channel], flux units, not rounded
   std::uint32_t channels = 0;
 
   std::size_t element_count() const { return element_area.size(); }

@@ -73,9 +73,21 @@ std::string record_of(const Element& e) {
   return braced(
       {unsigned_literal(e.area), record_of(e.eye), literal(e.patch), literal(e.face), literal(e.material)});
 }
+std::string record_of(Sight sight) {
+  switch (sight) {
+    case Sight::centroid_clear:
+      return "fixrad::Sight::centroid_clear";
+    case Sight::centroid_buried:
+      return "fixrad::Sight::centroid_buried";
+    case Sight::all_clear:
+      return "fixrad::Sight::all_clear";
+    case Sight::unknown:
+      break;
+  }
+  return "fixrad::Sight::unknown";
+}
 std::string record_of(const Patch& p) {
-  return braced({record_of(p.eye), literal(p.face), literal(p.first_element), literal(p.element_count),
-                 literal(p.is_clear)});
+  return braced({literal(p.face), literal(p.first_element), literal(p.element_count)});
 }
 std::string record_of(const fixrad::Material& m) {
   std::vector<std::string> reflectance, emission;
@@ -161,6 +173,9 @@ void append_scene_tables(std::string& text, const SceneTable& table) {
   append_table(text, "fixrad::Patch kPatches[]", s.patches, s.patch_count);
   append_table(text, "uint16_t kPatchElements[]", s.patch_elements, s.element_count);
   append_table(text, "fixrad::Material kMaterials[]", s.materials, s.material_count);
+  if (s.sights != nullptr) {
+    append_table(text, "fixrad::Sight kSights[]", s.sights, s.element_count);
+  }
   append_table(text, "fixrad::MeshVertex kMeshVertices[]", table.map.vertices, table.map.vertex_count);
   append_table(text, "uint16_t kMeshVertexElements[]", table.map.elements, map_elements(table.map));
 }
@@ -183,11 +198,8 @@ const char* engine_name(Engine engine) {
 }
 
 std::string table_name(const DeltaTable* table) {
-  if (table == nullptr) {
-    return "nullptr";
-  }
-  return (table->cosine != nullptr ? "&fixrad::kLune" : "&fixrad::kDelta") +
-         literal(1 << table->resolution_log2);
+  return table->cosine != nullptr ? "fixrad::kLunes + " + literal(table - kLunes)
+                                  : "&fixrad::kDelta" + literal(1 << table->resolution_log2);
 }
 
 void append_scene_function(std::string& text, const Scene& s) {
@@ -200,6 +212,7 @@ void append_scene_function(std::string& text, const Scene& s) {
                    {"patches", "kPatches"},
                    {"patch_elements", "kPatchElements"},
                    {"materials", "kMaterials"},
+                   {"sights", s.sights != nullptr ? "kSights" : "nullptr"},
                    {"vertex_count", literal(s.vertex_count)},
                    {"corner_count", literal(s.corner_count)},
                    {"face_count", literal(s.face_count)},
@@ -221,24 +234,26 @@ void append_vertex_map_function(std::string& text, const VertexMap& map) {
 
 // Takes Settings apart so that a member which is added to it does not compile until it is written here too.
 void append_settings_function(std::string& text, const Settings& settings) {
-  const auto& [engine, table, coarse, probe, stop, flux_per_eye, overshoot, observer] = settings;
+  const auto& [engine, tables, table_count, probe, stop, flux_per_row, flux_per_eye, overshoot, observer] =
+      settings;
   const auto fraction_of = [](Fraction f) {
     return "fixrad::Fraction::from_raw(" + unsigned_literal(f.raw) + ")";
   };
   append_function(text, "Settings", "settings",
                   {{"engine", engine_name(engine)},
-                   {"table", table_name(table)},
-                   {"coarse", table_name(coarse)},
+                   {"tables", table_name(tables)},
+                   {"table_count", literal(table_count)},
                    {"probe", table_name(probe)},
                    {"stop", fraction_of(stop)},
+                   {"flux_per_row", fraction_of(flux_per_row)},
                    {"flux_per_eye", fraction_of(flux_per_eye)},
                    {"overshoot", overshoot ? "true" : "false"}});
 }
 
 void append_solver(std::string& text, const Sizes& s) {
-  text += "\n// Vertices, faces, elements, patches, spans, channels, resolution of the item buffer.\n";
+  text += "\n// Vertices, faces, elements, spans, channels, resolution of the item buffer.\n";
   text += "using Limits = fixrad::Limits<";
-  for (const std::uint32_t size : {s.vertices, s.faces, s.elements, s.patches, s.spans, s.channels}) {
+  for (const std::uint32_t size : {s.vertices, s.faces, s.elements, s.spans, s.channels}) {
     text += literal(size) + ", ";
   }
   text += literal(s.pixel_resolution) + ">;\nusing Solver = fixrad::Solver<Limits>;\n";

@@ -5,11 +5,11 @@ namespace fixrad::host {
 
 const std::vector<Profile>& profiles() {
   static const std::vector<Profile> all = {
-      {"tiny", 6 * 1024, 2, 16, 16, 100, 48, "ATmega2560"},
-      {"small", 13 * 1024, 4, 16, 16, 270, 96, "Cortex-M0 (micro:bit)"},
-      {"medium", 60 * 1024, 4, 64, 32, 600, 600, "Cortex-M3, ESP8266, RV32IMC"},
-      {"large", 480 * 1024, 4, 64, 32, 2000, 2000, "Cortex-M4F, M7"},
-      {"host", 64 * 1024 * 1024, 8, 128, 64, 6000, 6000, "PC"},
+      {"tiny", 6 * 1024, 2, 32, 16, 120, "ATmega2560"},
+      {"small", 13 * 1024, 4, 32, 16, 255, "Cortex-M0 (micro:bit)"},
+      {"medium", 60 * 1024, 4, 64, 32, 800, "Cortex-M3, ESP8266, RV32IMC"},
+      {"large", 480 * 1024, 4, 64, 32, 2000, "Cortex-M4F, M7"},
+      {"host", 64 * 1024 * 1024, 8, 128, 64, 6000, "PC"},
   };
   return all;
 }
@@ -45,20 +45,12 @@ const DeltaTable* delta_table(int resolution) {
 }
 
 const DeltaTable* lune_table(int resolution) {
-  switch (resolution) {
-    case 8:
-      return &kLune8;
-    case 16:
-      return &kLune16;
-    case 32:
-      return &kLune32;
-    case 64:
-      return &kLune64;
-    case 128:
-      return &kLune128;
-    default:
-      return nullptr;
+  for (const DeltaTable& table : kLunes) {
+    if (1 << table.resolution_log2 == resolution) {
+      return &table;
+    }
   }
+  return nullptr;
 }
 
 }  // namespace fixrad::host

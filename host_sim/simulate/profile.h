@@ -15,10 +15,9 @@ struct Profile {
   std::string name;
   std::uint32_t ram_bytes;
   std::uint32_t pointer_bytes;  ///< of the typical chip
-  int lunes;                    ///< R of lune rows
+  int lunes;                    ///< R of lune rows, for the strongest shots
   int hemicube;                 ///< R of a hemicube, whose R rows are 3 R with its sides
   std::uint32_t elements;       ///< that its accuracy needs
-  std::uint32_t patches;
   std::string chip;
 };
 
@@ -31,7 +30,8 @@ std::optional<Profile> find_profile(const std::string& name);
 /// Bytes that a solver of these sizes takes on the profile's chip, stack and flash apart.
 std::uint32_t ram_bytes(const Profile& profile, const Sizes& sizes);
 
-/// The delta form-factor table of R = 8, 16, 32, 64 or 128, of a hemicube or of lunes; null for others.
+/// The delta form-factor table of R = 8, 16, 32, 64 or 128, of a hemicube or (also R = 4) of lunes; null for
+/// others.
 const DeltaTable* delta_table(int resolution);
 const DeltaTable* lune_table(int resolution);
 

@@ -9,21 +9,19 @@ namespace fixrad::host {
 struct SimulatedDevice::Arrays {
   explicit Arrays(const Sizes& s)
       : received(s.elements * s.channels),
-        unshot(s.patches * s.channels),
+        accounts(s.channels * account_words(s.elements, s.faces)),
         views(s.faces),
         directions(s.vertices),
         spans(s.spans),
         items(s.pixel_resolution * s.pixel_resolution),
-        share(s.elements),
-        known_eyes(s.patches) {}
+        share(s.elements) {}
 
-  std::vector<std::int32_t> received, unshot;
+  std::vector<std::int32_t> received, accounts;
   std::vector<FaceView> views;
   std::vector<Direction> directions;
   std::vector<Span> spans;
   std::vector<Item> items;
   std::vector<std::uint32_t> share;
-  std::vector<KnownEyes> known_eyes;
 };
 
 SimulatedDevice::SimulatedDevice(const Sizes& sizes)
@@ -34,8 +32,7 @@ SimulatedDevice::~SimulatedDevice() = default;
 Status SimulatedDevice::load(const Scene& scene, const Settings& settings) {
   const Capacity capacity = {
       static_cast<std::uint16_t>(sizes_.vertices), static_cast<std::uint16_t>(sizes_.faces),
-      static_cast<std::uint16_t>(sizes_.elements), static_cast<std::uint16_t>(sizes_.patches),
-      static_cast<std::uint8_t>(sizes_.channels)};
+      static_cast<std::uint16_t>(sizes_.elements), static_cast<std::uint8_t>(sizes_.channels)};
   const Status status = check_scene(scene, capacity);
   if (status == Status::ok) {
     Arrays& a = *arrays_;
@@ -50,8 +47,7 @@ Status SimulatedDevice::load(const Scene& scene, const Settings& settings) {
                    0};
     state_.row = {a.share.data(), scene.element_count, 0, 0};
     state_.received = a.received.data();
-    state_.unshot = a.unshot.data();
-    state_.known_eyes = a.known_eyes.data();
+    state_.accounts = a.accounts.data();
     reset(state_, scene, settings);
   }
   return status;
@@ -69,8 +65,6 @@ const char* describe(Status status) {
       return "too many faces for the profile";
     case Status::too_many_elements:
       return "too many elements for the profile; ask for fewer with --elements";
-    case Status::too_many_patches:
-      return "too many patches for the profile";
     case Status::bad_channel_count:
       return "the number of colour channels is neither 1 nor 3";
     case Status::bad_index:

@@ -52,11 +52,11 @@ void print_lunes() {
     print_table("int16_t", "kCosine" + std::to_string(1 << k), fixrad::host::make_lune_cosines(1 << k));
   }
   std::printf("}  // namespace\n\n");
+  std::printf("const FIXRAD_IN_FLASH DeltaTable kLunes[kLuneTables] = {\n");
   for (int k = 2; k <= 7; ++k) {
-    std::printf("const FIXRAD_IN_FLASH DeltaTable kLune%d = {%d, kHalfRow, nullptr, kCosine%d};\n", 1 << k, k,
-                1 << k);
+    std::printf("    {%d, kHalfRow, nullptr, kCosine%d},\n", k, 1 << k);
   }
-  std::printf("\n}  // namespace fixrad\n");
+  std::printf("};\n\n}  // namespace fixrad\n");
 }
 
 }  // namespace

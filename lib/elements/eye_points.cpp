@@ -30,47 +30,40 @@ bool is_whole_cell(const Element& element, const Face& face) {
 
 }  // namespace
 
+EyeSource element_source(const Scene& scene, uint16_t element) {
+  return {SourceKind::element, flash_read(scene.elements, element).face, element, 1};
+}
+
 EyeSource patch_source(const Scene& scene, uint16_t patch) {
   const Patch p = flash_read(scene.patches, patch);
-  return {p.face, p.first_element, p.element_count, false, p.is_clear != 0, {p.eye[0], p.eye[1], p.eye[2]}};
+  return {SourceKind::patch, p.face, p.first_element, p.element_count};
 }
 
-EyeSource element_source(const Scene& scene, uint16_t element) {
-  const Element e = flash_read(scene.elements, element);
-  const bool is_clear = flash_read(scene.patches, e.patch).is_clear != 0;
-  return {e.face, element, 1, true, is_clear, {e.eye[0], e.eye[1], e.eye[2]}};
-}
-
-uint16_t source_element(const Scene& scene, const EyeSource& source, uint16_t i) {
-  return source.is_single ? source.first
-                          : flash_read(scene.patch_elements, static_cast<unsigned>(source.first) + i);
-}
-
-int level_for(const EyeSource& source, uint32_t wanted) {
-  if (wanted <= 1) {
-    return 0;
+EyeSource face_source(const Scene& scene, uint16_t first) {
+  const uint16_t face = flash_at(scene.elements, first).face;
+  uint16_t end = static_cast<uint16_t>(first + 1);
+  while (end < scene.element_count && flash_at(scene.elements, end).face == face) {
+    ++end;
   }
-  int level = 1;
-  while (level < kFinestLevel && candidate_count(source, level) < wanted &&
-         candidate_count(source, level + 1) <= kMaxEyes) {
+  return {SourceKind::face, face, first, static_cast<uint16_t>(end - first)};
+}
+
+unsigned level_for(uint32_t wanted) {
+  unsigned level = 1;
+  while (level < kFinestLevel && level * level < wanted) {
     ++level;
   }
   return level;
 }
 
-EyeCandidate eye_candidate(const Scene& scene, const EyeSource& source, int level, uint16_t index) {
-  if (level == 0) {
-    return {vec(source.centre), source_element(scene, source, 0), 1};
-  }
-  const unsigned per_element = static_cast<unsigned>(level * level);
-  const uint16_t id = source_element(scene, source, static_cast<uint16_t>(index / per_element));
+EyeCandidate eye_candidate(const Scene& scene, uint16_t id, unsigned level, unsigned index) {
   const Element element = flash_read(scene.elements, id);
-  const int sub = static_cast<int>(index % per_element);
-  const Face face = flash_read(scene.faces, source.face);
+  const Face face = flash_read(scene.faces, element.face);
   if (level == 1 || !is_whole_cell(element, face)) {
-    return {vec(element.eye), id, static_cast<uint8_t>(sub == 0 ? per_element : 0)};
+    return {vec(element.eye), index == 0};
   }
-  return {sub_cell(face, vec(element.eye), level, sub % level, sub / level), id, 1};
+  const int n = static_cast<int>(level), i = static_cast<int>(index);
+  return {sub_cell(face, vec(element.eye), n, i % n, i / n), true};
 }
 
 }  // namespace fixrad

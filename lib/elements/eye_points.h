@@ -7,43 +7,45 @@
 
 namespace fixrad {
 
-/// Elements that send light together: a patch, or one element by itself.
+/// What shoots: one element by itself, the elements of a patch, or all elements of a face.
+enum class SourceKind : uint8_t { element, patch, face };
+
+/// Elements of one face that send light together.
 struct EyeSource {
+  SourceKind kind;
   uint16_t face;
-  uint16_t first;      ///< into Scene::patch_elements, or the element itself
-  uint16_t count;      ///< number of elements
-  bool is_single;      ///< `first` is an element
-  bool is_clear;       ///< none of its eye points is buried
-  uint16_t centre[3];  ///< centroid, lifted off the face; quarters of a grid unit
+  uint16_t first;  ///< element, or for a patch: into Scene::patch_elements
+  uint16_t count;  ///< number of elements
 };
 
-EyeSource patch_source(const Scene& scene, uint16_t patch);
 EyeSource element_source(const Scene& scene, uint16_t element);
+EyeSource patch_source(const Scene& scene, uint16_t patch);
+
+/// All elements of the face whose first element is `first`; the elements of a face follow each other. Cost:
+/// linear in them.
+EyeSource face_source(const Scene& scene, uint16_t first);
 
 /// The i-th element of the source.
-uint16_t source_element(const Scene& scene, const EyeSource& source, uint16_t i);
-
-/// How finely a source is represented: 0 one eye at its centroid, n > 0: n x n eyes in every element.
-constexpr int kFinestLevel = 3;
-constexpr uint16_t kMaxEyes = 64;
-
-/// Number of candidate eyes at `level`.
-inline uint16_t candidate_count(const EyeSource& source, int level) {
-  return level == 0 ? static_cast<uint16_t>(1)
-                    : static_cast<uint16_t>(source.count * static_cast<unsigned>(level * level));
+inline uint16_t source_element(const Scene& scene, const EyeSource& source, uint16_t i) {
+  const unsigned index = static_cast<unsigned>(source.first) + i;
+  return source.kind == SourceKind::patch ? flash_read(scene.patch_elements, index)
+                                          : static_cast<uint16_t>(index);
 }
 
-/// The coarsest level that has at least `wanted` eyes, as far as kMaxEyes allows.
-int level_for(const EyeSource& source, uint32_t wanted);
+/// How finely an element is represented: level x level eyes. At 1 the eye is the centroid.
+constexpr unsigned kFinestLevel = 3;
 
-/// One candidate: where it is, which element it stands for (level > 0), and its weight among the level^2 eyes
-/// of that element; 0: not used. Eyes of a whole cell are the centres of a level x level subdivision, so
-/// their mean is the centroid; a cell cut by the face's border uses its centroid alone.
+/// The coarsest level that has at least `wanted` eyes, or the finest.
+unsigned level_for(uint32_t wanted);
+
+/// One eye of an element: quarters of a grid unit.
 struct EyeCandidate {
-  Vec3 position;  ///< quarters of a grid unit
-  uint16_t element;
-  uint8_t weight;
+  Vec3 position;
+  bool is_used;  ///< an element cut by the face's border has its centroid for all eyes, and only one counts
 };
-EyeCandidate eye_candidate(const Scene& scene, const EyeSource& source, int level, uint16_t index);
+
+/// Eye `index` (0 .. level^2 - 1) of `element`. Eyes of a whole cell are the centres of a level x level
+/// subdivision, so their mean is the centroid.
+EyeCandidate eye_candidate(const Scene& scene, uint16_t element, unsigned level, unsigned index);
 
 }  // namespace fixrad

@@ -30,7 +30,10 @@ struct DeltaTable {
 constexpr int kDeltaSumLog2 = 20;
 
 extern const FIXRAD_IN_FLASH DeltaTable kDelta8, kDelta16, kDelta32, kDelta64, kDelta128;
-extern const FIXRAD_IN_FLASH DeltaTable kLune4, kLune8, kLune16, kLune32, kLune64, kLune128;
+
+/// Lunes of R = 4, 8, .. 128, one after the other.
+constexpr int kLuneTables = 6;
+extern const FIXRAD_IN_FLASH DeltaTable kLunes[kLuneTables];
 
 constexpr int kLunePartsLog2 = 8;
 constexpr int kLuneParts = 1 << kLunePartsLog2;

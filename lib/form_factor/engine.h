@@ -38,9 +38,12 @@ Status lune_rows(const Scene& scene, const DeltaTable& table, const EyeSample& s
 Status hemicube_pixels(const Scene& scene, const DeltaTable& table, const EyeSample& sample, Workspace& work,
                        FormFactorRow& row);
 
+/// An eye that has more than this part of what hidden_share() looks at hidden is buried.
+constexpr uint32_t kBuriedShare = kRowOne / 2;
+
 /// Fraction of a hemicube's top, or of all lunes, UQ12.20, that is hidden: the nearest face shows its back,
 /// or, where `nothing_hides`, there is no face at all (from inside an enclosed scene: the eye lies behind a
-/// wall). More than half: the eye is buried. The top alone, since what buries an eye stands over it. Cost: R
+/// wall). The top alone, since what buries an eye stands over it. Cost: R
 /// rows.
 Status hidden_share(const Scene& scene, const DeltaTable& table, const EyePoint& eye, bool nothing_hides,
                     Workspace& work, uint32_t& share);

@@ -55,11 +55,13 @@ constexpr FIXRAD_IN_FLASH int16_t kCosine128[] = {
 
 }  // namespace
 
-const FIXRAD_IN_FLASH DeltaTable kLune4 = {2, kHalfRow, nullptr, kCosine4};
-const FIXRAD_IN_FLASH DeltaTable kLune8 = {3, kHalfRow, nullptr, kCosine8};
-const FIXRAD_IN_FLASH DeltaTable kLune16 = {4, kHalfRow, nullptr, kCosine16};
-const FIXRAD_IN_FLASH DeltaTable kLune32 = {5, kHalfRow, nullptr, kCosine32};
-const FIXRAD_IN_FLASH DeltaTable kLune64 = {6, kHalfRow, nullptr, kCosine64};
-const FIXRAD_IN_FLASH DeltaTable kLune128 = {7, kHalfRow, nullptr, kCosine128};
+const FIXRAD_IN_FLASH DeltaTable kLunes[kLuneTables] = {
+    {2, kHalfRow, nullptr, kCosine4},
+    {3, kHalfRow, nullptr, kCosine8},
+    {4, kHalfRow, nullptr, kCosine16},
+    {5, kHalfRow, nullptr, kCosine32},
+    {6, kHalfRow, nullptr, kCosine64},
+    {7, kHalfRow, nullptr, kCosine128},
+};
 
 }  // namespace fixrad

@@ -141,7 +141,8 @@ Status check_element(const Scene& scene, uint16_t index) {
   const Element element = flash_read(scene.elements, index);
   if (element.face >= scene.face_count || element.patch >= scene.patch_count ||
       flash_read(scene.patches, element.patch).face != element.face ||
-      flash_read(scene.faces, element.face).material != element.material) {
+      flash_read(scene.faces, element.face).material != element.material ||
+      (index > 0 && flash_read(scene.elements, index - 1u).face > element.face)) {
     return Status::bad_index;
   }
   return element.area == 0 ? Status::zero_area : check_eye(scene, element.eye, element.face);
@@ -161,7 +162,7 @@ Status check_patch(const Scene& scene, uint16_t index, uint32_t& elements_before
     }
   }
   elements_before += patch.element_count;
-  return check_eye(scene, patch.eye, patch.face);
+  return Status::ok;
 }
 
 // Everything received by one element is at most all that is ever sent, emitted / (1 - reflectance);
@@ -199,9 +200,6 @@ Status check_counts(const Scene& scene, const Capacity& capacity) {
   }
   if (scene.element_count > capacity.elements) {
     return Status::too_many_elements;
-  }
-  if (scene.patch_count > capacity.patches) {
-    return Status::too_many_patches;
   }
   return scene.emission_shift <= 63 && scene.radiosity_shift <= 32 ? Status::ok : Status::bad_unit;
 }

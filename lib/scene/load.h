@@ -8,7 +8,7 @@ namespace fixrad {
 
 /// What a storage has room for.
 struct Capacity {
-  uint16_t vertices, faces, elements, patches;
+  uint16_t vertices, faces, elements;
   uint8_t channels;
 };
 

@@ -58,6 +58,7 @@ struct CellRow {
   uint8_t first_cell, last_cell;
 };
 
+/// Elements are ordered by face.
 struct Element {
   uint32_t area;    ///< UQ29.3 square grid units, > 0
   uint16_t eye[3];  ///< its centroid, lifted off the face by half a grid unit; quarters of a grid unit
@@ -66,13 +67,20 @@ struct Element {
   uint16_t material;  ///< of the face, repeated here for the inner loop
 };
 
-/// Elements that shoot together.
+/// Neighbouring elements of a face that shoot together once each of them has little to send.
 struct Patch {
-  uint16_t eye[3];  ///< centroid of its elements, lifted; quarters of a grid unit
   uint16_t face;
   uint16_t first_element;  ///< into Scene::patch_elements
   uint16_t element_count;  ///< 1 .. kMaxPatchElements
-  uint8_t is_clear = 0;    ///< 1: no eye point on it is buried, as far as its maker knows; 0: to be probed
+};
+
+/// What the scene's maker knows about the eye points of an element. An eye is buried if it stands under or in
+/// something: light must not start there.
+enum class Sight : uint8_t {
+  unknown,  ///< the core probes each eye before it is used
+  centroid_clear,
+  centroid_buried,
+  all_clear  ///< the eyes of every subdivision too
 };
 
 constexpr int kMaxPatchElements = 64;
@@ -88,6 +96,7 @@ struct Scene {
   const FIXRAD_FLASH Patch* patches;
   const FIXRAD_FLASH uint16_t* patch_elements;  ///< element_count entries, grouped by patch
   const FIXRAD_FLASH Material* materials;
+  const FIXRAD_FLASH Sight* sights;  ///< [element_count], or null: nothing is known
   uint16_t vertex_count, corner_count, face_count, cell_row_count, element_count, patch_count, material_count;
   uint8_t channels;         ///< 1 or 3
   uint8_t emission_shift;   ///< emitted flux of an element = emission * area >> emission_shift
@@ -107,6 +116,10 @@ inline Vec3 vec(Vertex v) {
 /// Vertex of corner `k` (0 <= k < corner_count) of `face`, as an index into the vertex table.
 inline uint16_t corner_vertex(const Scene& scene, const Face& face, int k) {
   return flash_read(scene.corners, face.first_corner + static_cast<unsigned>(k));
+}
+
+inline Sight sight_of(const Scene& scene, uint16_t element) {
+  return scene.sights == nullptr ? Sight::unknown : flash_read(scene.sights, element);
 }
 
 /// Flux that an element emits by itself, one channel. The product has 64 bits.

@@ -12,7 +12,6 @@ enum class Status : uint8_t {
   too_many_vertices,          ///< more than the storage has room for
   too_many_faces,             ///< more than the storage has room for
   too_many_elements,          ///< more than the storage has room for
-  too_many_patches,           ///< more than the storage has room for
   bad_channel_count,          ///< neither 1 nor the number that the storage was made for
   bad_index,                  ///< a record points outside its table
   bad_grid,                   ///< an element grid has no cells, or its rows do not fit the face

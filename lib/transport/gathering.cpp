@@ -4,6 +4,7 @@
 #include "lib/fixed/cutter.h"
 #include "lib/transport/sampling.h"
 #include "lib/transport/shooting.h"
+#include "lib/transport/unshot.h"
 
 namespace fixrad {
 namespace {
@@ -66,8 +67,10 @@ Status sample_matrix_row(State& state, FormFactorMatrix& matrix, uint16_t e) {
     matrix.exitent[static_cast<uint32_t>(e) * scene.channels + static_cast<uint32_t>(c)] = light.emitted.raw;
     emits = emits || light.emitted.raw > 0;
   }
-  KnownEyes known = 0;
-  const Status status = sample_source(state, element_source(scene, e), emits ? 9 : 1, known);
+  const Settings& settings = state.settings;
+  const uint32_t rows = static_cast<uint32_t>(1)
+                        << flash_read(settings.tables, settings.table_count - 1u).resolution_log2;
+  const Status status = sample_element(state, e, emits ? 9 : 1, emits ? 9 * rows : rows);
   if (status != Status::ok) {
     return status;
   }
@@ -101,9 +104,7 @@ void book_gathering(State& state, const FormFactorMatrix& matrix) {
   for (uint32_t i = 0; i < scene.element_count * channels; ++i) {
     state.received[i] = 0;
   }
-  for (uint32_t i = 0; i < scene.patch_count * channels; ++i) {
-    state.unshot[i] = 0;
-  }
+  start_face_accounts(state);
   for (uint32_t c = 0; c < channels; ++c) {
     state.escaped[c] = state.back[c] = 0;
     for (uint32_t i = 0; i < scene.element_count; ++i) {
@@ -121,8 +122,8 @@ void book_gathering(State& state, const FormFactorMatrix& matrix) {
     for (uint16_t j = 0; j < scene.element_count; ++j) {
       const Light light = light_of(scene, j, static_cast<int>(c));
       const Flux reflected = reflect(light.reflectance, Flux::from_raw(state.received[j * channels + c]));
-      const uint32_t p = flash_read(scene.elements, j).patch;
-      state.unshot[p * channels + c] += light.emitted.raw + reflected.raw - matrix.exitent[j * channels + c];
+      account_unshot(state, j, static_cast<int>(c),
+                     light.emitted + reflected - Flux::from_raw(matrix.exitent[j * channels + c]));
     }
   }
 }

@@ -3,6 +3,7 @@
 
 #include "lib/fixed/cutter.h"
 #include "lib/transport/sampling.h"
+#include "lib/transport/unshot.h"
 
 namespace fixrad {
 namespace {
@@ -11,89 +12,26 @@ namespace {
 // lowers the sum of unshot flux, finishes.
 constexpr uint64_t kOvershootUntil = 8;
 
+// An element deserves a shot of its own while it has this many rows' worth of flux to send, the fewest rows
+// that a shot takes; a patch, half of that.
+constexpr uint64_t kRowsOfElement = 4;
+constexpr uint64_t kRowsOfPatch = 2;
+
+// Sources shoot once they have this part, in 16ths, of the most that one had when the pass began.
+constexpr uint64_t kPassThreshold = 11;
+
 // 2^32 over the golden ratio: the roundings of successive shots are spread evenly.
 constexpr uint32_t kGoldenStep = 0x9e3779b9u;
-
-int32_t* unshot_of(State& state, uint16_t patch) {
-  return state.unshot + static_cast<uint32_t>(patch) * state.scene.channels;
-}
-
-struct Scan {
-  uint16_t brightest;
-  uint64_t brightest_flux;        // sum over channels
-  uint64_t unshot[kMaxChannels];  // sum of magnitudes
-  int64_t balance[kMaxChannels];  // sum with signs
-};
-
-// The number of channels is a constant here: this loop runs over all patches at every shot.
-template <int Channels>
-void scan_patches(const int32_t* unshot, uint16_t count, Scan& scan) {
-  for (uint16_t p = 0; p < count; ++p) {
-    uint64_t flux = 0;
-    for (int c = 0; c < Channels; ++c) {
-      const int32_t own = *unshot++;
-      const uint32_t m = magnitude(own);
-      scan.unshot[c] += m;
-      scan.balance[c] += own;
-      flux += m;
-    }
-    if (flux > scan.brightest_flux) {
-      scan.brightest_flux = flux;
-      scan.brightest = p;
-    }
-  }
-}
-
-Scan scan_patches(const State& state) {
-  Scan scan = {};
-  const auto scan_channels = state.scene.channels == 1   ? scan_patches<1>
-                             : state.scene.channels == 2 ? scan_patches<2>
-                                                         : scan_patches<3>;
-  scan_channels(state.unshot, state.scene.patch_count, scan);
-  return scan;
-}
 
 uint64_t part_of_emitted(const State& state, Fraction part, int c) {
   return (static_cast<uint64_t>(part.raw) * static_cast<uint32_t>(state.emitted[c])) >> 32;
 }
 
-bool is_converged(const State& state, const Scan& scan, uint64_t factor) {
-  for (int c = 0; c < state.scene.channels; ++c) {
-    if (scan.unshot[c] > factor * part_of_emitted(state, state.settings.stop, c)) {
-      return false;
-    }
-  }
-  return true;
-}
-
-uint32_t wanted_eyes(const State& state, const Scan& scan) {
-  uint64_t an_eye = 0;
-  for (int c = 0; c < state.scene.channels; ++c) {
-    an_eye += part_of_emitted(state, state.settings.flux_per_eye, c);
-  }
-  const uint64_t wanted = an_eye == 0 ? kMaxEyes : (scan.brightest_flux + an_eye - 1) / an_eye;
-  return static_cast<uint32_t>(wanted < kMaxEyes ? wanted : kMaxEyes);
-}
-
-// What the patch will still receive if the ambient estimate is right, but never more than its own unshot
-// flux: larger loans were seen to diverge.
-int32_t loan(const State& state, uint16_t patch, int c, int32_t unshot, Radiosity ambient) {
-  const Scene& scene = state.scene;
-  const Patch p = flash_read(scene.patches, patch);
-  uint64_t area = 0;
-  for (unsigned i = 0; i < p.element_count; ++i) {
-    const uint16_t e = flash_read(scene.patch_elements, p.first_element + i);
-    area += flash_read(scene.elements, e).area;
-  }
-  const Material material = flash_read(scene.materials, flash_read(scene.faces, p.face).material);
-  const uint64_t radiosity = mul_high(material.reflectance[c], ambient.raw);
-  const uint64_t flux = (radiosity * area) >> scene.radiosity_shift;
-  return flux < static_cast<uint64_t>(unshot) ? static_cast<int32_t>(flux) : unshot;
-}
-
+// Gives the shares of the row, and what is not given to elements, to those who receive them.
 void distribute(State& state, const Flux* amount) {
   const Scene& scene = state.scene;
   const int channels = scene.channels;
+  const bool by_face = state.sweep.kind == SourceKind::face;
   const uint32_t phase = (state.shots * kGoldenStep) >> 12;
   FluxCutter cutter[kMaxChannels] = {{amount[0], phase}, {amount[1], phase}, {amount[2], phase}};
   uint32_t left = kRowOne - state.row.escaped;
@@ -103,14 +41,15 @@ void distribute(State& state, const Flux* amount) {
       continue;
     }
     left -= part;
-    const Element& element = flash_at(scene.elements, e);
-    const Material& material = flash_at(scene.materials, element.material);
     int32_t* received = state.received + static_cast<uint32_t>(e) * scene.channels;
-    int32_t* unshot = unshot_of(state, element.patch);
     for (int c = 0; c < channels; ++c) {
       const Flux share = cutter[c].cut(part);
-      const Reflectance reflectance = Reflectance::from_raw(material.reflectance[c]);
-      unshot[c] += reflect_more(reflectance, Flux::from_raw(received[c]), share).raw;
+      if (by_face) {
+        const Material& material = flash_at(scene.materials, flash_at(scene.elements, e).material);
+        account_unshot(
+            state, e, c,
+            reflect_more(Reflectance::from_raw(material.reflectance[c]), Flux::from_raw(received[c]), share));
+      }
       received[c] += share.raw;
     }
   }
@@ -120,48 +59,157 @@ void distribute(State& state, const Flux* amount) {
   }
 }
 
+Status fire(State& state, const Shot& shot, uint64_t flux) {
+  const Status status = sample_source(state, shot.source, flux);
+  if (status != Status::ok) {
+    return status;
+  }
+  const Observer& observer = state.settings.observer;
+  if (observer.on_shot != nullptr) {
+    observer.on_shot(observer.context, shot);
+  }
+  if (shot.is_emission) {
+    ++state.next_emitter;
+  } else {
+    book_sent(state, shot.source);
+  }
+  distribute(state, shot.amount);
+  ++state.shots;
+  return Status::ok;
+}
+
+// Moves to the next element that emits; false if there is none.
+bool find_emission(State& state, Shot& shot, uint64_t& flux) {
+  const Scene& scene = state.scene;
+  for (; state.next_emitter < scene.element_count; ++state.next_emitter) {
+    const Element& element = flash_at(scene.elements, state.next_emitter);
+    const Material& material = flash_at(scene.materials, element.material);
+    flux = 0;
+    for (int c = 0; c < scene.channels; ++c) {
+      shot.amount[c] = shot.unshot[c] = emitted_flux(scene, material, element.area, c);
+      flux += static_cast<uint32_t>(shot.amount[c].raw);
+    }
+    if (flux > 0) {
+      shot.source = element_source(scene, state.next_emitter);
+      shot.is_emission = true;
+      return true;
+    }
+  }
+  return false;
+}
+
+bool has_source(const State& state) {
+  return state.sweep.cursor <
+         (state.sweep.kind == SourceKind::patch ? state.scene.patch_count : state.scene.element_count);
+}
+
+EyeSource source_at_cursor(const State& state) {
+  const uint16_t cursor = state.sweep.cursor;
+  return state.sweep.kind == SourceKind::element ? element_source(state.scene, cursor)
+         : state.sweep.kind == SourceKind::patch ? patch_source(state.scene, cursor)
+                                                 : face_source(state.scene, cursor);
+}
+
+void advance(State& state, const EyeSource& source) {
+  state.sweep.cursor =
+      static_cast<uint16_t>(state.sweep.cursor + (source.kind == SourceKind::face ? source.count : 1u));
+}
+
+// The most that a source of the kind that shoots now has to send.
+uint64_t loudest(State& state) {
+  uint64_t most = 0;
+  for (state.sweep.cursor = 0; has_source(state);) {
+    const EyeSource source = source_at_cursor(state);
+    Flux unshot[kMaxChannels];
+    const uint64_t flux = unshot_of(state, source, unshot);
+    most = flux > most ? flux : most;
+    advance(state, source);
+  }
+  state.sweep.cursor = 0;
+  return most;
+}
+
+void go_on_with_larger_sources(State& state) {
+  if (state.sweep.kind == SourceKind::element) {
+    state.sweep.kind = SourceKind::patch;
+  } else {
+    group_by_face(state);
+  }
+}
+
+// Starts a pass, with larger sources where those of the last one have too little left for shots of their own.
+// False when the solution has converged.
+bool start_pass(State& state) {
+  Sweep& sweep = state.sweep;
+  bool is_near_end = true;
+  bool is_done = true;
+  UnshotSum unshot[kMaxChannels] = {};
+  for (int c = 0; c < state.scene.channels; ++c) {
+    unshot[c] = sum_unshot(state, c);
+    const uint64_t limit = part_of_emitted(state, state.settings.stop, c);
+    is_done = is_done && unshot[c].magnitude <= limit;
+    is_near_end = is_near_end && unshot[c].magnitude <= kOvershootUntil * limit;
+  }
+  if (is_done) {
+    return false;
+  }
+  uint64_t most = loudest(state);
+  uint64_t floor = 0;
+  for (; sweep.kind != SourceKind::face; most = loudest(state)) {
+    floor = 4 * static_cast<uint64_t>(state.a_row) *
+            (sweep.kind == SourceKind::element ? kRowsOfElement : kRowsOfPatch);
+    if (sweep.has_shot && most >= floor) {
+      break;
+    }
+    go_on_with_larger_sources(state);
+    sweep.has_shot = true;
+  }
+  const uint64_t threshold = most * kPassThreshold / 16;
+  const bool by_face = sweep.kind == SourceKind::face;
+  sweep.threshold = by_face || threshold > floor ? threshold : floor;
+  sweep.has_shot = false;
+  for (int c = 0; c < state.scene.channels; ++c) {
+    sweep.ambient[c] = state.settings.overshoot && !is_near_end && !by_face
+                           ? ambient_of(state, c, unshot[c].balance)
+                           : Radiosity::from_raw(0);
+  }
+  return true;
+}
+
 }  // namespace
 
 Fraction unshot_fraction(const State& state) {
   uint64_t worst = 0;
   for (int c = 0; c < state.scene.channels; ++c) {
     const uint64_t emitted = static_cast<uint32_t>(state.emitted[c]);
-    const uint64_t part = emitted == 0 ? 0 : (unshot_magnitude(state, c) << 32) / emitted;
+    const uint64_t part = emitted == 0 ? 0 : (sum_unshot(state, c).magnitude << 32) / emitted;
     worst = part > worst ? part : worst;
   }
   return Fraction::from_raw(worst > 0xffffffffu ? 0xffffffffu : static_cast<uint32_t>(worst));
 }
 
 Status shoot(State& state) {
-  const Scan scan = scan_patches(state);
-  if (is_converged(state, scan, 1)) {
-    return Status::converged;
+  Shot shot = {};
+  uint64_t flux = 0;
+  if (find_emission(state, shot, flux)) {
+    return fire(state, shot, flux);
   }
-  const EyeSource source = patch_source(state.scene, scan.brightest);
-  const Status status =
-      sample_source(state, source, wanted_eyes(state, scan), state.known_eyes[scan.brightest]);
-  if (status != Status::ok) {
-    return status;
-  }
-  const bool overshoots = state.settings.overshoot && !is_converged(state, scan, kOvershootUntil);
-  Flux amount[kMaxChannels] = {};
-  int32_t* unshot = unshot_of(state, scan.brightest);
-  for (int c = 0; c < state.scene.channels; ++c) {
-    amount[c].raw = unshot[c];
-    if (overshoots && unshot[c] > 0) {
-      amount[c].raw += loan(state, scan.brightest, c, unshot[c], ambient_of(state, c, scan.balance[c]));
+  do {
+    while (has_source(state)) {
+      shot.source = source_at_cursor(state);
+      flux = unshot_of(state, shot.source, shot.unshot);
+      if (flux >= state.sweep.threshold && plan_amount(state, shot.source, shot.unshot, shot.amount)) {
+        const Status status = fire(state, shot, flux);
+        if (status == Status::ok) {
+          state.sweep.has_shot = true;
+          advance(state, shot.source);
+        }
+        return status;
+      }
+      advance(state, shot.source);
     }
-  }
-  const Observer& observer = state.settings.observer;
-  if (observer.on_shot != nullptr) {
-    observer.on_shot(observer.context, scan.brightest, amount, overshoots);
-  }
-  for (int c = 0; c < state.scene.channels; ++c) {
-    unshot[c] -= amount[c].raw;
-  }
-  distribute(state, amount);
-  ++state.shots;
-  return Status::ok;
+  } while (start_pass(state));
+  return Status::converged;
 }
 
 }  // namespace fixrad

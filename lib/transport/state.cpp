@@ -1,11 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "lib/transport/state.h"
 
+#include "lib/transport/unshot.h"
+
 namespace fixrad {
 namespace {
 
 Material material_of(const Scene& scene, const Element& element) {
   return flash_read(scene.materials, element.material);
+}
+
+Flux received_flux(const State& state, uint16_t e, int c) {
+  return Flux::from_raw(
+      state.received[static_cast<uint32_t>(e) * state.scene.channels + static_cast<unsigned>(c)]);
+}
+
+// A part of the flux in units of four, so that fluxes of three channels fit 32 bits; at least 1.
+uint32_t quarter_part(uint64_t flux, Fraction part) {
+  const uint32_t quarters = mul_high(static_cast<uint32_t>(flux >> 2), part.raw);
+  return quarters > 0 ? quarters : 1;
 }
 
 uint32_t saturate(uint64_t a) {
@@ -24,70 +37,55 @@ void reset(State& state, const Scene& scene, const Settings& settings) {
   state.turn = 0;
   state.is_closed = is_closed(scene);
   state.is_enclosed = state.is_closed && is_enclosed(scene);
+  state.next_emitter = 0;
   const unsigned channels = scene.channels;
-  for (unsigned i = 0; i < scene.patch_count; ++i) {
-    state.known_eyes[i] = 0;
-  }
-  for (uint32_t i = 0; i < static_cast<uint32_t>(scene.patch_count) * channels; ++i) {
-    state.unshot[i] = 0;
+  for (uint32_t i = 0; i < channels * account_words(scene.element_count, scene.face_count); ++i) {
+    state.accounts[i] = 0;
   }
   for (uint32_t i = 0; i < static_cast<uint32_t>(scene.element_count) * channels; ++i) {
     state.received[i] = 0;
   }
+  uint64_t emitted = 0;
   for (unsigned c = 0; c < channels; ++c) {
     state.emitted[c] = state.escaped[c] = state.back[c] = 0;
     state.absorbing_area[c] = 0;
     for (uint16_t e = 0; e < scene.element_count; ++e) {
       const Element element = flash_read(scene.elements, e);
       const Material material = material_of(scene, element);
-      const Flux flux = emitted_flux(scene, material, element.area, static_cast<int>(c));
       state.absorbing_area[c] += element.area - mul_high(material.reflectance[c], element.area);
-      state.unshot[element.patch * channels + c] += flux.raw;
-      state.emitted[c] += flux.raw;
+      state.emitted[c] += emitted_flux(scene, material, element.area, static_cast<int>(c)).raw;
     }
+    emitted += static_cast<uint32_t>(state.emitted[c]);
   }
+  state.a_row = quarter_part(emitted, settings.flux_per_row);
+  state.an_eye = quarter_part(emitted, settings.flux_per_eye);
+  state.sweep = {SourceKind::element, scene.element_count, true, 0, {}};
 }
 
 Ledger ledger(const State& state, int c) {
   const Scene& scene = state.scene;
-  Ledger sum = {state.emitted[c], 0, 0, state.escaped[c], state.back[c]};
+  Ledger sum = {state.emitted[c], 0, sum_unshot(state, c).balance, state.escaped[c], state.back[c]};
   for (uint16_t e = 0; e < scene.element_count; ++e) {
-    const Material material = material_of(scene, flash_read(scene.elements, e));
-    const Flux received =
-        Flux::from_raw(state.received[static_cast<uint32_t>(e) * scene.channels + static_cast<unsigned>(c)]);
-    sum.absorbed += received.raw - reflect(Reflectance::from_raw(material.reflectance[c]), received).raw;
-  }
-  for (uint16_t p = 0; p < scene.patch_count; ++p) {
-    sum.unshot += state.unshot[static_cast<uint32_t>(p) * scene.channels + static_cast<unsigned>(c)];
+    sum.absorbed += received_flux(state, e, c).raw - reflected_flux(state, e, c).raw;
   }
   return sum;
 }
 
-uint64_t unshot_magnitude(const State& state, int c) {
-  uint64_t sum = 0;
-  for (uint16_t p = 0; p < state.scene.patch_count; ++p) {
-    sum +=
-        magnitude(state.unshot[static_cast<uint32_t>(p) * state.scene.channels + static_cast<unsigned>(c)]);
-  }
-  return sum;
+Flux reflected_flux(const State& state, uint16_t e, int c) {
+  const Element& element = flash_at(state.scene.elements, e);
+  const Material& material = flash_at(state.scene.materials, element.material);
+  return reflect(Reflectance::from_raw(material.reflectance[c]), received_flux(state, e, c));
 }
 
 Flux exitent_flux(const State& state, uint16_t e, int c) {
-  const Element element = flash_read(state.scene.elements, e);
-  const Material material = material_of(state.scene, element);
-  const Flux received = Flux::from_raw(
-      state.received[static_cast<uint32_t>(e) * state.scene.channels + static_cast<unsigned>(c)]);
-  const Flux flux = emitted_flux(state.scene, material, element.area, c) +
-                    reflect(Reflectance::from_raw(material.reflectance[c]), received);
+  const Element& element = flash_at(state.scene.elements, e);
+  const Material& material = flash_at(state.scene.materials, element.material);
+  const Flux flux = emitted_flux(state.scene, material, element.area, c) + reflected_flux(state, e, c);
   return flux.raw < 0 ? Flux::from_raw(0) : flux;
 }
 
 Radiosity ambient_radiosity(const State& state, int c) {
-  int64_t unshot = 0;
-  for (uint16_t p = 0; p < state.scene.patch_count; ++p) {
-    unshot += state.unshot[static_cast<uint32_t>(p) * state.scene.channels + static_cast<unsigned>(c)];
-  }
-  return ambient_of(state, c, unshot);
+  return ambient_of(state, c, sum_unshot(state, c).balance);
 }
 
 // (unshot / area) / (1 - mean reflectance) = unshot / absorbing area. Unshot flux is below 2^31 and the shift

@@ -17,45 +17,57 @@ constexpr Fraction fraction(uint32_t n, uint32_t d) {
   return Fraction::from_raw(static_cast<uint32_t>((static_cast<uint64_t>(n) << 32) / d));
 }
 
-/// Sees what the solver does; for the host's twin, progress and tests. Both functions may be null.
+/// One shot: what a source is about to send.
+struct Shot {
+  EyeSource source;
+  bool is_emission;           ///< what the (single) element emits, else what it has received and not sent on
+  Flux unshot[kMaxChannels];  ///< of the source before the shot; emission: as amount
+  Flux amount[kMaxChannels];  ///< more than `unshot` when overshooting
+};
+
+/// Sees what the solver does; for the host's twin, progress and tests. The functions may be null.
 struct Observer {
   void* context;
   /// An eye point of the coming shot has been sampled with `table`.
   void (*on_eye)(void* context, const DeltaTable& table, const EyeSample& sample);
-  /// Patch `patch` is about to send amount[c], one a channel; `overshoots` if that is more than its unshot
-  /// flux.
-  void (*on_shot)(void* context, uint16_t patch, const Flux* amount, bool overshoots);
+  void (*on_shot)(void* context, const Shot& shot);
   /// The eyes sampled since the last shot are withdrawn.
   void (*on_withdraw)(void* context);
 };
 
 struct Settings {
-  Engine engine = hemicube_rows;
-  const FIXRAD_FLASH DeltaTable* table = &kDelta16;  ///< for shots from several eye points
-  const FIXRAD_FLASH DeltaTable* coarse = nullptr;   ///< for shots from one, the weak ones; null: `table`
-  const FIXRAD_FLASH DeltaTable* probe = &kDelta8;   ///< for the question whether an eye is buried
+  Engine engine = lune_rows;
+  const FIXRAD_FLASH DeltaTable* tables = kLunes;  ///< [table_count], each of twice the R of the one before
+  uint8_t table_count = 4;                         ///< a shot takes the finer the more it sends
+  const FIXRAD_FLASH DeltaTable* probe = kLunes;   ///< for the question whether an eye is buried
   Fraction stop = fraction(1, 1000);  ///< done when the sum of unshot flux is at most this, in every channel
-  Fraction flux_per_eye =
-      fraction(1, 100);    ///< a shot gets one eye point for each such part of the emitted flux
+  /// A shot is sampled with one row for each such part of the emitted flux: accuracy against time.
+  Fraction flux_per_row = fraction(1, 2500);
+  Fraction flux_per_eye = fraction(1, 10);  ///< an element gets an eye point for each such part
   bool overshoot = false;  ///< also shoot what the ambient estimate promises (Feda & Purgathofer 1992)
   Observer observer = {nullptr, nullptr, nullptr, nullptr};
 };
 
-/// What was found out about the centroid of a patch, so that no probe is made twice; none or one of two.
-using KnownEyes = uint8_t;
-constexpr KnownEyes kCentroidClear = 1, kCentroidBuried = 2;
+/// Who shoots next, and when: sources of one kind in order, each that has at least `threshold` to send, which
+/// is within a factor of the most that any had when the pass began.
+struct Sweep {
+  SourceKind kind;
+  uint16_t cursor;  ///< next element (also of a face: its first) or patch
+  bool has_shot;    ///< in this pass
+  uint64_t threshold;
+  Radiosity ambient[kMaxChannels];  ///< lent in this pass; 0 without overshooting
+};
 
 /// Everything a solver knows. The arrays belong to the storage.
 struct State {
   Scene scene;
   /// All zeros until load(), so that a static solver takes no initial values from flash.
-  Settings settings = {nullptr, nullptr, nullptr, nullptr,
-                       {0},     {0},     false,   {nullptr, nullptr, nullptr, nullptr}};
+  Settings settings = {
+      nullptr, nullptr, 0, nullptr, {0}, {0}, {0}, false, {nullptr, nullptr, nullptr, nullptr}};
   Workspace work;
   FormFactorRow row;
   int32_t* received;                      ///< [element][channel], flux received in all
-  int32_t* unshot;                        ///< [patch][channel]
-  KnownEyes* known_eyes;                  ///< [patch]
+  int32_t* accounts;                      ///< [channel][account_words()], see unshot.h
   uint64_t absorbing_area[kMaxChannels];  ///< sum of (1 - reflectance) area over the elements, UQ.3
   int32_t emitted[kMaxChannels];
   int32_t escaped[kMaxChannels];
@@ -63,9 +75,13 @@ struct State {
   uint32_t shots;
   uint32_t eyes;
   uint32_t withdrawn;  ///< eye points thrown away because they were buried
-  uint8_t turn;        ///< next angle of the fixed sequence
-  bool is_closed;      ///< back faces are never the nearest
-  bool is_enclosed;    ///< and no light can escape
+  uint32_t a_row;   ///< settings.flux_per_row of what is emitted, all channels, in 4 flux units; at least 1
+  uint32_t an_eye;  ///< flux_per_eye, likewise
+  Sweep sweep;
+  uint16_t next_emitter;  ///< elements before it have sent what they emit
+  uint8_t turn;           ///< next angle of the fixed sequence
+  bool is_closed;         ///< back faces are never the nearest
+  bool is_enclosed;       ///< and no light can escape
 };
 
 /// Puts `scene` into `state`: nothing received, every emitter's flux unshot. The caller has checked the
@@ -79,11 +95,11 @@ struct Ledger {
   int64_t imbalance() const { return emitted - absorbed - unshot - escaped - back; }
 };
 
-/// Adds up channel `c` from what elements and patches hold. Cost: linear.
+/// Adds up channel `c` from what elements and their accounts hold. Cost: linear.
 Ledger ledger(const State& state, int c);
 
-/// Sum of |unshot| over the patches, channel `c`.
-uint64_t unshot_magnitude(const State& state, int c);
+/// Flux that element `e` has reflected in all, channel `c`; while light is lent it may be negative.
+Flux reflected_flux(const State& state, uint16_t e, int c);
 
 /// Flux that element `e` has emitted and reflected in all, channel `c`; never negative.
 Flux exitent_flux(const State& state, uint16_t e, int c);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host_sim/simulate/clear_patches.h"
+#include "host_sim/simulate/eye_sights.h"
 
 #include <algorithm>
 #include <glm/common.hpp>
@@ -25,7 +25,7 @@ struct Box2d {
     low = glm::min(low, p);
     high = glm::max(high, p);
   }
-  // Neighbours that only share a border with a patch do not reach into it.
+  // Neighbours that only share a border with an element do not reach into it.
   bool reaches_into(const Box2d& other) const {
     return low.x < other.high.x - kContact && high.x > other.low.x + kContact &&
            low.y < other.high.y - kContact && high.y > other.low.y + kContact;
@@ -80,26 +80,36 @@ Box2d contact_of(const DeviceScene& device, const Plane& plane, const fixrad::Fa
   return box;
 }
 
-Box2d outline_of(const DeviceScene& device, const Patch& patch, const Plane& plane) {
+Box2d outline_of(const DeviceScene& device, std::size_t element, const Plane& plane) {
   Box2d box;
-  for (std::size_t i = 0; i < patch.element_count; ++i) {
-    const MeshElement& element = device.mesh.elements[device.patch_elements[patch.first_element + i]];
-    for (const glm::dvec3& p : element.polygon) {
-      box.add(plane.flat((p - device.grid.origin) * device.grid.scale));
-    }
+  for (const glm::dvec3& p : device.mesh.elements[element].polygon) {
+    box.add(plane.flat((p - device.grid.origin) * device.grid.scale));
   }
   return box;
 }
 
+Sight sight_of(State& state, const Element& element, bool is_met) {
+  std::uint32_t share = 0;
+  const EyePoint eye = {vec(element.eye), element.face, 0};
+  if (hidden_share(state.scene, kLunes[0], eye, state.is_enclosed, state.work, share) != Status::ok) {
+    return Sight::unknown;
+  }
+  if (share > kBuriedShare) {
+    return Sight::centroid_buried;
+  }
+  return is_met || share > 0 ? Sight::centroid_clear : Sight::all_clear;
+}
+
 }  // namespace
 
-void mark_clear_patches(DeviceScene& device, const Sizes& sizes) {
+void find_sights(DeviceScene& device, const Sizes& sizes) {
+  device.sights.clear();
   SimulatedDevice probe(sizes);
   if (probe.load(device.view(), Settings{}) != Status::ok) {
     return;  // the solver will say why
   }
-  State& state = probe.state();
-  for (std::size_t f = 0; f < device.faces.size(); ++f) {
+  for (std::size_t e = 0; e < device.elements.size();) {
+    const std::uint16_t f = device.elements[e].face;
     const Plane plane = plane_of(device, device.faces[f]);
     std::vector<Box2d> contacts;
     for (std::size_t g = 0; g < device.faces.size(); ++g) {
@@ -108,18 +118,11 @@ void mark_clear_patches(DeviceScene& device, const Sizes& sizes) {
         contacts.push_back(box);
       }
     }
-    for (Patch& patch : device.patches) {
-      if (patch.face != f) {
-        continue;
-      }
-      const Box2d outline = outline_of(device, patch, plane);
+    for (; e < device.elements.size() && device.elements[e].face == f; ++e) {
+      const Box2d outline = outline_of(device, e, plane);
       const bool is_met = std::any_of(contacts.begin(), contacts.end(),
                                       [&](const Box2d& box) { return box.reaches_into(outline); });
-      std::uint32_t share = 0;
-      const Status status = is_met ? Status::ok
-                                   : hidden_share(state.scene, kLune4, {vec(patch.eye), patch.face, 0},
-                                                  state.is_enclosed, state.work, share);
-      patch.is_clear = !is_met && status == Status::ok && share == 0;
+      device.sights.push_back(sight_of(probe.state(), device.elements[e], is_met));
     }
   }
 }

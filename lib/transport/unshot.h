@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lib/transport/state.h"
+
+namespace fixrad {
+
+// Who has still to send how much. While elements and patches shoot, each element's account holds what it has
+// sent on of what it reflects, as a short flux: 2 bytes a channel, and its unshot flux is
+// reflect(received) - sent, so nothing is rounded away. Once only faces shoot, the same memory holds the
+// unshot flux of each face, to the unit. What emitters have not sent yet stands in neither:
+// State::next_emitter tells.
+
+/// Words of accounts a channel: one for two elements, or one a face.
+constexpr uint32_t account_words(uint32_t elements, uint32_t faces) {
+  return elements > 2 * faces ? (elements + 1) / 2 : faces;
+}
+
+/// What element `e` has sent on of what it has received. Needs sweep.kind != face.
+uint32_t sent_flux(const State& state, uint16_t e, int c);
+
+/// Unshot flux of a source of the kind that shoots now, one a channel; returns the sum of the magnitudes.
+uint64_t unshot_of(const State& state, const EyeSource& source, Flux* unshot);
+
+/// What `source` can send now: its unshot flux, where its account can hold the sum that it has sent, and what
+/// the pass lends it, never more than its unshot flux (larger loans were seen to diverge). unshot, amount
+/// [channels]. Returns whether there is anything.
+bool plan_amount(const State& state, const EyeSource& source, Flux* unshot, Flux* amount);
+
+/// Books that `source` sends what plan_amount() says.
+void book_sent(State& state, const EyeSource& source);
+
+/// From now on faces shoot. Uses the row of form factors as scratch memory.
+void group_by_face(State& state);
+
+/// The same from empty accounts, with all emission sent.
+void start_face_accounts(State& state);
+
+/// Adds to what the face of element `e` has to send. Needs sweep.kind == face.
+void account_unshot(State& state, uint16_t e, int c, Flux more);
+
+/// Sum of |unshot| and of unshot over the shooters, channel `c`: over elements, later over faces; emission
+/// included.
+struct UnshotSum {
+  uint64_t magnitude;
+  int64_t balance;
+};
+UnshotSum sum_unshot(const State& state, int c);
+
+}  // namespace fixrad
