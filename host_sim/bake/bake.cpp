@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "host_sim/simulate/eye_sights.h"
+#include "host_sim/simulate/sealed_bodies.h"
 
 namespace fixrad::host {
 namespace {
@@ -118,6 +119,7 @@ BakeResult bake(const PreparedScene& scene, const BakeOptions& options, const Pr
   result.plan = make_plan(scene, options);
   result.device = make_device_scene(scene, result.plan.meshing);
   find_sights(result.device, result.plan.sizes);
+  seal_bodies(result.device, result.plan.sizes);
   result.surface = make_surface_mesh(scene, result.device);
   SimulatedDevice device(result.plan.sizes);
   Settings settings = make_settings(options, result.plan);

@@ -46,7 +46,7 @@ const TwinDeltaTable& TwinHemisphere::hemicube_table(int resolution) {
 }
 
 void TwinHemisphere::add(const RecordedEye& eye, TwinFormFactors& row) {
-  make_twin_view(scene_, eye.sample.eye, eye.sample.back_faces, view_);
+  make_twin_view(scene_, eye.sample.eye, backs_in(eye.sample), view_);
   switch (engine_) {
     case TwinEngine::rows:
       add_hemicube_rows(eye, row);

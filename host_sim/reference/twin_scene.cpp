@@ -26,6 +26,7 @@ glm::dvec3 polygon_normal(const TwinScene& twin, const TwinFace& face) {
 TwinFace make_face(const TwinScene& twin, const Face& record) {
   TwinFace face = {};
   face.first_corner = record.first_corner;
+  face.is_sealed = record.is_sealed != 0;
   face.corner_count = record.corner_count;
   face.first_cell_row = record.first_cell_row;
   face.cells_u = record.cells_u;

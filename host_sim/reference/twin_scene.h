@@ -17,6 +17,7 @@ struct TwinFace {
   std::uint32_t first_corner, corner_count;
   std::uint32_t first_cell_row;
   int cells_u, cells_v;
+  bool is_sealed;
 };
 
 /// The core's scene in double. Positions, element grids and areas are the core's own integers, taken over as

@@ -52,7 +52,7 @@ void make_grid(const TwinFace& face, const Frame& frame, const glm::dvec3& eye, 
 
 }  // namespace
 
-void make_twin_view(const TwinScene& scene, const EyePoint& eye, bool back_faces, TwinView& view) {
+void make_twin_view(const TwinScene& scene, const EyePoint& eye, Backs backs, TwinView& view) {
   const Frame frame = make_frame(scene.faces[eye.face], eye.turn);
   const glm::dvec3 position(eye.position.x, eye.position.y, eye.position.z);
   for (std::size_t i = 0; i < scene.vertices.size(); ++i) {
@@ -63,7 +63,8 @@ void make_twin_view(const TwinScene& scene, const EyePoint& eye, bool back_faces
     const TwinFace& face = scene.faces[f];
     const double height = glm::dot(face.normal, position - scene.vertices[scene.corners[face.first_corner]]);
     const bool is_back = height < -kEdgeOn;
-    if (f == eye.face || (is_back && !back_faces) || is_below_horizon(scene, face, view.directions)) {
+    const bool is_left_out = is_back && (backs == Backs::none || (backs == Backs::unsealed && face.is_sealed));
+    if (f == eye.face || is_left_out || is_below_horizon(scene, face, view.directions)) {
       continue;
     }
     TwinFaceView& seen = view.faces[view.count++];

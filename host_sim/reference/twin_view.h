@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "host_sim/reference/twin_scene.h"
-#include "lib/form_factor/eye.h"
+#include "lib/form_factor/view.h"
 
 namespace fixrad::host {
 
@@ -43,7 +43,7 @@ struct TwinView {
 };
 
 /// As make_view() of the core: directions to all vertices, planes and grids of all faces that can be seen or,
-/// where `back_faces` asks for it, block.
-void make_twin_view(const TwinScene& scene, const EyePoint& eye, bool back_faces, TwinView& view);
+/// whose `backs` take part.
+void make_twin_view(const TwinScene& scene, const EyePoint& eye, Backs backs, TwinView& view);
 
 }  // namespace fixrad::host

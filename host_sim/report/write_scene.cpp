@@ -64,7 +64,7 @@ std::string record_of(const Face& f) {
   return braced({literal(f.first_corner), literal(f.material), literal(f.first_cell_row),
                  literal(f.corner_count), literal(f.cells_u), literal(f.cells_v), record_of(f.normal),
                  record_of(f.tangent), record_of(f.origin), record_of(f.axis_u), record_of(f.axis_v),
-                 unsigned_literal(f.cell_area)});
+                 unsigned_literal(f.cell_area), literal(f.is_sealed)});
 }
 std::string record_of(const CellRow& r) {
   return braced({literal(r.first_element), literal(r.first_cell), literal(r.last_cell)});

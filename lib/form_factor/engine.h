@@ -15,7 +15,12 @@ struct EyeSample {
   EyePoint eye;
   uint32_t weight;  ///< the eye's part of kRowOne
   bool back_faces;  ///< back faces block; without, the scene must be closed
+  bool is_clear = false;  ///< not buried: the backs of sealed faces are hidden by their bodies' fronts
 };
+
+inline Backs backs_in(const EyeSample& sample) {
+  return !sample.back_faces ? Backs::none : (sample.is_clear ? Backs::unsealed : Backs::all);
+}
 
 /// An engine adds the form factors from one eye point to all elements to `row`, exactly `weight` in all.
 /// Statuses: ok, or span_pool_full (`row` is then to be thrown away).

@@ -5,7 +5,7 @@ namespace fixrad {
 
 Status lune_rows(const Scene& scene, const DeltaTable& table, const EyeSample& sample, Workspace& work,
                  FormFactorRow& row) {
-  make_view(scene, sample.eye, sample.back_faces, work);
+  make_view(scene, sample.eye, backs_in(sample), work);
   make_grids(scene, sample.eye, work);
   RowWriter writer(row, sample.weight);
   const int size = 1 << table.resolution_log2;

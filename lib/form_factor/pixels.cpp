@@ -76,7 +76,7 @@ Status hemicube_pixels(const Scene& scene, const DeltaTable& table, const EyeSam
   if ((static_cast<uint32_t>(1) << (2 * table.resolution_log2)) > work.item_capacity) {
     return Status::item_buffer_too_small;
   }
-  make_view(scene, sample.eye, sample.back_faces, work);
+  make_view(scene, sample.eye, backs_in(sample), work);
   make_grids(scene, sample.eye, work);
   RowWriter writer(row, sample.weight);
   const int size = 1 << table.resolution_log2;

@@ -104,7 +104,7 @@ __attribute__((noinline)) void see_face(const EyeFrame& frame, const Face& face,
 
 }  // namespace
 
-void make_view(const Scene& scene, const EyePoint& eye, bool back_faces, Workspace& work) {
+void make_view(const Scene& scene, const EyePoint& eye, Backs backs, Workspace& work) {
   const EyeFrame frame = eye_frame(flash_read(scene.faces, eye.face), eye.turn);
   make_directions(scene, frame, eye.position, work.directions);
   work.view_count = 0;
@@ -113,7 +113,9 @@ void make_view(const Scene& scene, const EyePoint& eye, bool back_faces, Workspa
     const Vec3 corner = vec(flash_read(scene.vertices, corner_vertex(scene, face, 0)));
     const int32_t height = -dot(vec(face.normal), relative_to_eye(corner, eye.position));
     const bool is_back = height < -kEdgeOn;
-    if (f == eye.face || (is_back && !back_faces) || is_below_horizon(scene, face, work.directions)) {
+    const bool is_left_out =
+        is_back && (backs == Backs::none || (backs == Backs::unsealed && face.is_sealed != 0));
+    if (f == eye.face || is_left_out || is_below_horizon(scene, face, work.directions)) {
       continue;
     }
     FaceView& view = work.views[work.view_count++];

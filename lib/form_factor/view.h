@@ -76,10 +76,13 @@ struct Workspace {
   uint32_t gaps_closed;      ///< uncovered intervals of closed scenes that were given to a neighbour
 };
 
-/// Prepares the view from `eye`: directions to all vertices, planes of all faces that can be seen or, where
-/// `back_faces` asks for it, block. Cost: 9 products a vertex, 15 and a division
+/// Which backs of faces take part in a view: they block and are black.
+enum class Backs : uint8_t { none, unsealed, all };
+
+/// Prepares the view from `eye`: directions to all vertices, planes of all faces that can be seen or whose
+/// backs take part. Cost: 9 products a vertex, 15 and a division
 /// a face.
-void make_view(const Scene& scene, const EyePoint& eye, bool back_faces, Workspace& work);
+void make_view(const Scene& scene, const EyePoint& eye, Backs backs, Workspace& work);
 
 /// Adds the element grids of the faces in view. Cost: 50 products a face.
 void make_grids(const Scene& scene, const EyePoint& eye, Workspace& work);

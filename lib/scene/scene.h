@@ -49,6 +49,7 @@ struct Face {
   int16_t origin[3];             ///< grid units
   int16_t axis_u[3], axis_v[3];  ///< grid units, the whole extent of the face
   uint32_t cell_area;            ///< UQ29.3 square grid units, of one whole cell
+  uint8_t is_sealed = 0;         ///< 1: part of a body into which no eye sees that is not buried
 };
 
 /// One row of a face's element grid. Cells left of first_cell or right of last_cell belong to the first or

@@ -122,7 +122,7 @@ void book_gathering(State& state, const FormFactorMatrix& matrix) {
     for (uint16_t j = 0; j < scene.element_count; ++j) {
       const Light light = light_of(scene, j, static_cast<int>(c));
       const Flux reflected = reflect(light.reflectance, Flux::from_raw(state.received[j * channels + c]));
-      account_unshot(state, j, static_cast<int>(c),
+      account_unshot(state, flash_read(scene.elements, j).face, static_cast<int>(c),
                      light.emitted + reflected - Flux::from_raw(matrix.exitent[j * channels + c]));
     }
   }

@@ -56,10 +56,10 @@ Status has_clear_centroid(State& state, uint16_t e, bool& is_clear) {
   return probe(state, {vec(element.eye), element.face, 0}, is_clear);
 }
 
-Status look_from_centroid(State& state, uint16_t e, uint32_t weight, uint32_t rows) {
+Status look_from_centroid(State& state, uint16_t e, uint32_t weight, uint32_t rows, bool is_clear) {
   const Element element = flash_read(state.scene.elements, e);
   return look(state, table_for(state.settings, rows),
-              {eye_at(state, vec(element.eye), element.face), weight, !state.is_closed});
+              {eye_at(state, vec(element.eye), element.face), weight, !state.is_closed, is_clear});
 }
 
 // The eyes of one element's subdivision, equally strong.
@@ -100,7 +100,7 @@ class ElementEyes {
       }
       const uint32_t end = kRowOne * ++done / count_;
       const EyePoint eye = eye_at(state_, eye_candidate(state_.scene, element_, level_, i).position, face);
-      const Status status = look(state_, table, {eye, end - begin, !state_.is_closed});
+      const Status status = look(state_, table, {eye, end - begin, !state_.is_closed, true});
       if (status != Status::ok) {
         return status;
       }
@@ -124,7 +124,7 @@ Status sample_buried(State& state, uint16_t element, uint32_t rows) {
     state.row.share[element] += kRowOne;
     return Status::ok;
   }
-  return look_from_centroid(state, element, kRowOne, rows);
+  return look_from_centroid(state, element, kRowOne, rows, false);
 }
 
 // Where a group's light leaves from: what an element has to send, all channels, cut to 16 bits, so that sums
@@ -175,8 +175,9 @@ class GroupEyes {
         }
         running += weight;
       }
-      const Status status = look_from_centroid(state_, source_element(state_.scene, source_, i),
-                                               kRowOne * (k + 1) / eyes - kRowOne * k / eyes, rows / eyes);
+      const Status status =
+          look_from_centroid(state_, source_element(state_.scene, source_, i),
+                             kRowOne * (k + 1) / eyes - kRowOne * k / eyes, rows / eyes, true);
       if (status != Status::ok) {
         return status;
       }
@@ -238,7 +239,7 @@ Status sample_element(State& state, uint16_t element, uint32_t eyes, uint32_t ro
     bool is_clear = false;
     const Status status = has_clear_centroid(state, element, is_clear);
     if (status != Status::ok || is_clear) {
-      return status != Status::ok ? status : look_from_centroid(state, element, kRowOne, rows);
+      return status != Status::ok ? status : look_from_centroid(state, element, kRowOne, rows, true);
     }
     level = 2;
   }

@@ -27,35 +27,60 @@ uint64_t part_of_emitted(const State& state, Fraction part, int c) {
   return (static_cast<uint64_t>(part.raw) * static_cast<uint32_t>(state.emitted[c])) >> 32;
 }
 
-// Gives the shares of the row, and what is not given to elements, to those who receive them.
-void distribute(State& state, const Flux* amount) {
+// The number of channels is a constant here: this loop runs over all elements at every shot.
+template <int Channels>
+uint32_t give_shares(State& state, FluxCutter* cutter) {
+  uint32_t given = 0;
+  int32_t* received = state.received;
+  const uint32_t* end = state.row.share + state.scene.element_count;
+  for (const uint32_t* share = state.row.share; share != end; ++share, received += Channels) {
+    const uint32_t part = *share;
+    if (part == 0) {
+      continue;
+    }
+    given += part;
+    for (int c = 0; c < Channels; ++c) {
+      received[c] += cutter[c].cut(part).raw;
+    }
+  }
+  return given;
+}
+
+// The same once faces keep account of what their elements have to send.
+uint32_t give_shares_to_faces(State& state, FluxCutter* cutter) {
   const Scene& scene = state.scene;
-  const int channels = scene.channels;
-  const bool by_face = state.sweep.kind == SourceKind::face;
-  const uint32_t phase = (state.shots * kGoldenStep) >> 12;
-  FluxCutter cutter[kMaxChannels] = {{amount[0], phase}, {amount[1], phase}, {amount[2], phase}};
-  uint32_t left = kRowOne - state.row.escaped;
+  uint32_t given = 0;
   for (uint16_t e = 0; e < scene.element_count; ++e) {
     const uint32_t part = state.row.share[e];
     if (part == 0) {
       continue;
     }
-    left -= part;
+    given += part;
+    const Element& element = flash_at(scene.elements, e);
+    const Material& material = flash_at(scene.materials, element.material);
     int32_t* received = state.received + static_cast<uint32_t>(e) * scene.channels;
-    for (int c = 0; c < channels; ++c) {
+    for (int c = 0; c < scene.channels; ++c) {
       const Flux share = cutter[c].cut(part);
-      if (by_face) {
-        const Material& material = flash_at(scene.materials, flash_at(scene.elements, e).material);
-        account_unshot(
-            state, e, c,
-            reflect_more(Reflectance::from_raw(material.reflectance[c]), Flux::from_raw(received[c]), share));
-      }
+      const Reflectance reflectance = Reflectance::from_raw(material.reflectance[c]);
+      account_unshot(state, element.face, c, reflect_more(reflectance, Flux::from_raw(received[c]), share));
       received[c] += share.raw;
     }
   }
+  return given;
+}
+
+void distribute(State& state, const Flux* amount) {
+  const uint32_t phase = (state.shots * kGoldenStep) >> 12;
+  FluxCutter cutter[kMaxChannels] = {{amount[0], phase}, {amount[1], phase}, {amount[2], phase}};
+  const int channels = state.scene.channels;
+  const auto give = state.sweep.kind == SourceKind::face ? give_shares_to_faces
+                    : channels == 1                      ? give_shares<1>
+                    : channels == 2                      ? give_shares<2>
+                                                         : give_shares<3>;
+  const uint32_t given = give(state, cutter);
   for (int c = 0; c < channels; ++c) {
     state.escaped[c] += cutter[c].cut(state.row.escaped).raw;
-    state.back[c] += cutter[c].cut(left).raw;
+    state.back[c] += cutter[c].cut(kRowOne - given - state.row.escaped).raw;
   }
 }
 
@@ -115,20 +140,6 @@ void advance(State& state, const EyeSource& source) {
       static_cast<uint16_t>(state.sweep.cursor + (source.kind == SourceKind::face ? source.count : 1u));
 }
 
-// The most that a source of the kind that shoots now has to send.
-uint64_t loudest(State& state) {
-  uint64_t most = 0;
-  for (state.sweep.cursor = 0; has_source(state);) {
-    const EyeSource source = source_at_cursor(state);
-    Flux unshot[kMaxChannels];
-    const uint64_t flux = unshot_of(state, source, unshot);
-    most = flux > most ? flux : most;
-    advance(state, source);
-  }
-  state.sweep.cursor = 0;
-  return most;
-}
-
 void go_on_with_larger_sources(State& state) {
   if (state.sweep.kind == SourceKind::element) {
     state.sweep.kind = SourceKind::patch;
@@ -137,41 +148,46 @@ void go_on_with_larger_sources(State& state) {
   }
 }
 
+// Are all channels' unshot fluxes at most `factor` times what may be left?
+bool is_converged(const State& state, const Survey& survey, uint64_t factor) {
+  for (int c = 0; c < state.scene.channels; ++c) {
+    if (survey.magnitude[c] > factor * part_of_emitted(state, state.settings.stop, c)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// The least that a source of the kind that shoots now is to have for a shot of its own.
+uint64_t floor_of(const State& state) {
+  const uint64_t rows = state.sweep.kind == SourceKind::element ? kRowsOfElement
+                        : state.sweep.kind == SourceKind::patch ? kRowsOfPatch
+                                                                : 0;
+  return 4 * rows * state.a_row;
+}
+
 // Starts a pass, with larger sources where those of the last one have too little left for shots of their own.
 // False when the solution has converged.
 bool start_pass(State& state) {
   Sweep& sweep = state.sweep;
-  bool is_near_end = true;
-  bool is_done = true;
-  UnshotSum unshot[kMaxChannels] = {};
-  for (int c = 0; c < state.scene.channels; ++c) {
-    unshot[c] = sum_unshot(state, c);
-    const uint64_t limit = part_of_emitted(state, state.settings.stop, c);
-    is_done = is_done && unshot[c].magnitude <= limit;
-    is_near_end = is_near_end && unshot[c].magnitude <= kOvershootUntil * limit;
-  }
-  if (is_done) {
+  Survey survey = survey_unshot(state);
+  if (is_converged(state, survey, 1)) {
     return false;
   }
-  uint64_t most = loudest(state);
-  uint64_t floor = 0;
-  for (; sweep.kind != SourceKind::face; most = loudest(state)) {
-    floor = 4 * static_cast<uint64_t>(state.a_row) *
-            (sweep.kind == SourceKind::element ? kRowsOfElement : kRowsOfPatch);
-    if (sweep.has_shot && most >= floor) {
-      break;
-    }
+  while (sweep.kind != SourceKind::face && (survey.most < floor_of(state) || !sweep.has_shot)) {
     go_on_with_larger_sources(state);
     sweep.has_shot = true;
+    survey = survey_unshot(state);
   }
-  const uint64_t threshold = most * kPassThreshold / 16;
-  const bool by_face = sweep.kind == SourceKind::face;
-  sweep.threshold = by_face || threshold > floor ? threshold : floor;
+  const uint64_t threshold = survey.most * kPassThreshold / 16;
+  const uint64_t floor = floor_of(state);
+  sweep.threshold = threshold > floor ? threshold : floor;
+  sweep.cursor = 0;
   sweep.has_shot = false;
+  const bool lends = state.settings.overshoot && sweep.kind != SourceKind::face &&
+                     !is_converged(state, survey, kOvershootUntil);
   for (int c = 0; c < state.scene.channels; ++c) {
-    sweep.ambient[c] = state.settings.overshoot && !is_near_end && !by_face
-                           ? ambient_of(state, c, unshot[c].balance)
-                           : Radiosity::from_raw(0);
+    sweep.ambient[c] = lends ? ambient_of(state, c, survey.balance[c]) : Radiosity::from_raw(0);
   }
   return true;
 }

@@ -6,35 +6,53 @@
 namespace fixrad {
 namespace {
 
-int32_t* account_of(const State& state, int c) {
-  return state.accounts +
-         static_cast<uint32_t>(c) * account_words(state.scene.element_count, state.scene.face_count);
+uint32_t words_a_channel(const State& state) {
+  return account_words(state.scene.element_count, state.scene.face_count);
 }
 
-uint16_t sent_short(const State& state, uint16_t e, int c) {
-  const uint32_t pair = static_cast<uint32_t>(account_of(state, c)[e / 2]);
-  return static_cast<uint16_t>(e % 2 != 0 ? pair >> 16 : pair);
+int32_t* account_of(const State& state, int c) {
+  return state.accounts + static_cast<uint32_t>(c) * words_a_channel(state);
+}
+
+uint16_t half_of(const int32_t* account, uint16_t e) {
+  const uint32_t pair = static_cast<uint32_t>(account[e / 2u]);
+  return static_cast<uint16_t>(e % 2u != 0 ? pair >> 16 : pair);
 }
 
 void set_sent(State& state, uint16_t e, int c, uint16_t sent) {
-  int32_t& word = account_of(state, c)[e / 2];
+  int32_t& word = account_of(state, c)[e / 2u];
   const uint32_t pair = static_cast<uint32_t>(word);
-  word = static_cast<int32_t>(e % 2 != 0 ? (pair & 0xffffu) | static_cast<uint32_t>(sent) << 16
-                                         : (pair & 0xffff0000u) | sent);
+  word = static_cast<int32_t>(e % 2u != 0 ? (pair & 0xffffu) | static_cast<uint32_t>(sent) << 16
+                                          : (pair & 0xffff0000u) | sent);
 }
 
 int32_t element_unshot(const State& state, uint16_t e, int c) {
   return reflected_flux(state, e, c).raw - static_cast<int32_t>(sent_flux(state, e, c));
 }
 
-int32_t emission_left(const State& state, uint16_t e, int c) {
-  if (e < state.next_emitter) {
-    return 0;
+// Unshot flux of elements, all channels: every pass asks for that of every element, so it is spelled out.
+class ElementUnshot {
+ public:
+  explicit ElementUnshot(const State& state)
+      : state_(state), words_(words_a_channel(state)), channels_(state.scene.channels) {}
+
+  void add(uint16_t e, int32_t* unshot) const {
+    const Element& element = flash_at(state_.scene.elements, e);
+    const Material& material = flash_at(state_.scene.materials, element.material);
+    const int32_t* received = state_.received + static_cast<uint32_t>(e) * channels_;
+    const int32_t* account = state_.accounts;
+    for (unsigned c = 0; c < channels_; ++c, account += words_) {
+      const Reflectance reflectance = Reflectance::from_raw(material.reflectance[c]);
+      unshot[c] += reflect(reflectance, Flux::from_raw(received[c])).raw -
+                   static_cast<int32_t>(long_flux(half_of(account, e)));
+    }
   }
-  const Element& element = flash_at(state.scene.elements, e);
-  const Material& material = flash_at(state.scene.materials, element.material);
-  return emitted_flux(state.scene, material, element.area, c).raw;
-}
+
+ private:
+  const State& state_;
+  uint32_t words_;
+  unsigned channels_;
+};
 
 // What the element can have sent after a shot: all that it reflects, and its loan.
 uint32_t reachable(const State& state, uint16_t e, int c, int32_t unshot) {
@@ -54,22 +72,25 @@ uint32_t reachable(const State& state, uint16_t e, int c, int32_t unshot) {
 }  // namespace
 
 uint32_t sent_flux(const State& state, uint16_t e, int c) {
-  return long_flux(sent_short(state, e, c));
+  return long_flux(half_of(account_of(state, c), e));
 }
 
 uint64_t unshot_of(const State& state, const EyeSource& source, Flux* unshot) {
+  int32_t flux[kMaxChannels] = {0, 0, 0};
+  if (source.kind == SourceKind::face) {
+    for (int c = 0; c < state.scene.channels; ++c) {
+      flux[c] = account_of(state, c)[source.face];
+    }
+  } else {
+    const ElementUnshot elements(state);
+    for (uint16_t i = 0; i < source.count; ++i) {
+      elements.add(source_element(state.scene, source, i), flux);
+    }
+  }
   uint64_t sum = 0;
   for (int c = 0; c < state.scene.channels; ++c) {
-    int32_t flux = 0;
-    if (source.kind == SourceKind::face) {
-      flux = account_of(state, c)[source.face];
-    } else {
-      for (uint16_t i = 0; i < source.count; ++i) {
-        flux += element_unshot(state, source_element(state.scene, source, i), c);
-      }
-    }
-    unshot[c] = Flux::from_raw(flux);
-    sum += magnitude(flux);
+    unshot[c] = Flux::from_raw(flux[c]);
+    sum += magnitude(flux[c]);
   }
   return sum;
 }
@@ -131,20 +152,91 @@ void start_face_accounts(State& state) {
   state.next_emitter = state.scene.element_count;
 }
 
-void account_unshot(State& state, uint16_t e, int c, Flux more) {
-  account_of(state, c)[flash_at(state.scene.elements, e).face] += more.raw;
+void account_unshot(State& state, uint16_t face, int c, Flux more) {
+  account_of(state, c)[face] += more.raw;
+}
+
+namespace {
+
+void add_to(Survey& survey, const int32_t* unshot, int channels) {
+  for (int c = 0; c < channels; ++c) {
+    survey.magnitude[c] += magnitude(unshot[c]);
+    survey.balance[c] += unshot[c];
+  }
+}
+
+uint64_t sum_of_magnitudes(const int32_t* unshot, int channels) {
+  uint64_t sum = 0;
+  for (int c = 0; c < channels; ++c) {
+    sum += magnitude(unshot[c]);
+  }
+  return sum;
+}
+
+void keep_most(Survey& survey, const int32_t* unshot, int channels) {
+  const uint64_t sum = sum_of_magnitudes(unshot, channels);
+  survey.most = sum > survey.most ? sum : survey.most;
+}
+
+void survey_elements(const State& state, Survey& survey) {
+  const ElementUnshot elements(state);
+  for (uint16_t e = 0; e < state.scene.element_count; ++e) {
+    int32_t unshot[kMaxChannels] = {0, 0, 0};
+    elements.add(e, unshot);
+    add_to(survey, unshot, state.scene.channels);
+    keep_most(survey, unshot, state.scene.channels);
+  }
+}
+
+void survey_patches(const State& state, Survey& survey) {
+  const ElementUnshot elements(state);
+  for (uint16_t p = 0; p < state.scene.patch_count; ++p) {
+    const EyeSource patch = patch_source(state.scene, p);
+    int32_t sum[kMaxChannels] = {0, 0, 0};
+    for (uint16_t i = 0; i < patch.count; ++i) {
+      int32_t unshot[kMaxChannels] = {0, 0, 0};
+      elements.add(source_element(state.scene, patch, i), unshot);
+      add_to(survey, unshot, state.scene.channels);
+      for (int c = 0; c < state.scene.channels; ++c) {
+        sum[c] += unshot[c];
+      }
+    }
+    keep_most(survey, sum, state.scene.channels);
+  }
+}
+
+void survey_faces(const State& state, Survey& survey) {
+  for (uint16_t f = 0; f < state.scene.face_count; ++f) {
+    int32_t unshot[kMaxChannels] = {0, 0, 0};
+    for (int c = 0; c < state.scene.channels; ++c) {
+      unshot[c] = account_of(state, c)[f];
+    }
+    add_to(survey, unshot, state.scene.channels);
+    keep_most(survey, unshot, state.scene.channels);
+  }
+}
+
+}  // namespace
+
+Survey survey_unshot(const State& state) {
+  Survey survey = {};
+  if (state.sweep.kind == SourceKind::element) {
+    survey_elements(state, survey);
+  } else if (state.sweep.kind == SourceKind::patch) {
+    survey_patches(state, survey);
+  } else {
+    survey_faces(state, survey);
+  }
+  return survey;
 }
 
 UnshotSum sum_unshot(const State& state, int c) {
-  UnshotSum sum = {0, 0};
-  const bool by_face = state.sweep.kind == SourceKind::face;
-  for (uint16_t f = 0; by_face && f < state.scene.face_count; ++f) {
-    const int32_t flux = account_of(state, c)[f];
-    sum.magnitude += magnitude(flux);
-    sum.balance += flux;
-  }
-  for (uint16_t e = by_face ? state.next_emitter : 0; e < state.scene.element_count; ++e) {
-    const int32_t flux = emission_left(state, e, c) + (by_face ? 0 : element_unshot(state, e, c));
+  const Survey survey = survey_unshot(state);
+  UnshotSum sum = {survey.magnitude[c], survey.balance[c]};
+  for (uint16_t e = state.next_emitter; e < state.scene.element_count; ++e) {
+    const Element& element = flash_at(state.scene.elements, e);
+    const Material& material = flash_at(state.scene.materials, element.material);
+    const int32_t flux = emitted_flux(state.scene, material, element.area, c).raw;
     sum.magnitude += magnitude(flux);
     sum.balance += flux;
   }

@@ -36,8 +36,16 @@ void group_by_face(State& state);
 /// The same from empty accounts, with all emission sent.
 void start_face_accounts(State& state);
 
-/// Adds to what the face of element `e` has to send. Needs sweep.kind == face.
-void account_unshot(State& state, uint16_t e, int c, Flux more);
+/// Adds to what face `face` has to send. Needs sweep.kind == face.
+void account_unshot(State& state, uint16_t face, int c, Flux more);
+
+/// What the sources of the kind that shoots now have to send.
+struct Survey {
+  uint64_t most;                     ///< that one of them has, sum of the channels' magnitudes
+  uint64_t magnitude[kMaxChannels];  ///< sum of |unshot| over elements, later over faces
+  int64_t balance[kMaxChannels];     ///< sum of unshot
+};
+Survey survey_unshot(const State& state);
 
 /// Sum of |unshot| and of unshot over the shooters, channel `c`: over elements, later over faces; emission
 /// included.
