@@ -24,7 +24,7 @@ struct BakeOptions {
   std::optional<std::uint32_t> elements;
   double unshot = 0.001;               ///< stop fraction
   std::optional<double> flux_per_row;  ///< one row of samples for each such part of the emitted flux
-  double flux_per_eye = 0.1;           ///< an element has one eye point for each such part
+  std::optional<double> flux_per_eye;  ///< an element has one eye point for each such part
   bool overshoot = true;
   bool ambient = false;  ///< add the ambient estimate of the rest to the result
 };

@@ -12,14 +12,11 @@ constexpr std::uint32_t kPiercing = 8;  // spans beyond twice the faces, for fac
 
 // Elements that a profile's accuracy needs: its own number, and several a face where there are many faces.
 std::uint32_t default_elements(const Profile& profile, std::uint32_t faces) {
-  return std::min(kMostElements, std::max(profile.elements, faces * 6u));
+  return std::min(kMostElements, std::max(profile.elements, faces * 10u));
 }
 
 // Elements shoot in patches of about so many once each has little left to send.
 constexpr std::uint32_t kElementsOfPatch = 4;
-
-// flux_per_row times the number of elements: the finer the mesh, the finer the light that it is to show.
-constexpr double kFluxOfElementRow = 0.1;
 
 BakePlan plan_for(const PreparedScene& scene, const BakeOptions& options, const Profile& profile,
                   std::uint32_t elements) {
@@ -91,8 +88,9 @@ Settings make_settings(const BakeOptions& options, const BakePlan& plan) {
     settings.probe = &kDelta8;
   }
   settings.stop = to_fraction(options.unshot);
-  settings.flux_per_row = to_fraction(options.flux_per_row.value_or(kFluxOfElementRow / plan.sizes.elements));
-  settings.flux_per_eye = to_fraction(options.flux_per_eye);
+  settings.flux_per_row =
+      to_fraction(options.flux_per_row.value_or(plan.profile.flux_of_rows / plan.sizes.elements));
+  settings.flux_per_eye = to_fraction(options.flux_per_eye.value_or(plan.profile.flux_per_eye));
   settings.overshoot = plan.overshoot;
   return settings;
 }

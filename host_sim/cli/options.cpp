@@ -83,8 +83,7 @@ void add_solver_options(CLI::App& command, CommonOptions& options) {
       ->check(below_one(false));
   command
       .add_option("--flux-per-eye", bake.flux_per_eye, "One eye point for each such part of the emitted flux")
-      ->check(below_one(false))
-      ->capture_default_str();
+      ->check(below_one(false));
   const auto choose = [&bake](bool overshoot) { return [&bake, overshoot] { bake.overshoot = overshoot; }; };
   command.add_flag_callback("--overshoot", choose(true), "Also shoot what the ambient estimate promises");
   command.add_flag_callback("--no-overshoot", choose(false), "Shoot unshot flux only");

@@ -18,6 +18,8 @@ struct Profile {
   int lunes;                    ///< R of lune rows, for the strongest shots
   int hemicube;                 ///< R of a hemicube, whose R rows are 3 R with its sides
   std::uint32_t elements;       ///< that its accuracy needs
+  double flux_of_rows;          ///< flux_per_row times the number of elements
+  double flux_per_eye;
   std::string chip;
 };
 

@@ -13,8 +13,8 @@ namespace fixrad {
 /// How one eye point is to be sampled.
 struct EyeSample {
   EyePoint eye;
-  uint32_t weight;  ///< the eye's part of kRowOne
-  bool back_faces;  ///< back faces block; without, the scene must be closed
+  uint32_t weight;        ///< the eye's part of kRowOne
+  bool back_faces;        ///< back faces block; without, the scene must be closed
   bool is_clear = false;  ///< not buried: the backs of sealed faces are hidden by their bodies' fronts
 };
 

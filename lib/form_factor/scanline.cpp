@@ -48,18 +48,18 @@ bool is_outside(const Scene& scene, int side, const Direction* directions, const
 // it is not: a search finds where the rows change.
 RowMask rows_below(const Direction& d, const RowPlane* planes, int count) {
   const bool is_front = d.z > 0 || (d.z == 0 && d.y >= 0);
-  int low = 0;
-  int high = count;
-  while (low < high) {
-    const int middle = (low + high) / 2;
-    const bool is_above = d.y * planes[middle].z >= d.z * planes[middle].y;
+  const RowPlane* low = planes;
+  for (int left = count; left > 0;) {
+    const int half = left / 2;
+    const bool is_above = d.y * low[half].z >= d.z * low[half].y;
     if (is_above == is_front) {
-      low = middle + 1;
+      low += half + 1;
+      left -= half + 1;
     } else {
-      high = middle;
+      left = half;
     }
   }
-  const RowMask until = static_cast<RowMask>((static_cast<uint32_t>(1) << low) - 1u);
+  const RowMask until = static_cast<RowMask>((static_cast<uint32_t>(1) << (low - planes)) - 1u);
   return is_front ? until : static_cast<RowMask>(~until);
 }
 

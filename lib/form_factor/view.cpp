@@ -14,7 +14,7 @@ constexpr int kGridBits = 18;
 
 void make_directions(const Scene& scene, const EyeFrame& frame, Vec3 eye, Direction* directions) {
   for (uint16_t i = 0; i < scene.vertex_count; ++i) {
-    const Vec3 v = vec(flash_read(scene.vertices, i));
+    const Vec3 v = vec(flash_at(scene.vertices, i));
     const Vec3 offset = {v.x * kEyeScale - eye.x, v.y * kEyeScale - eye.y, v.z * kEyeScale - eye.z};
     const Vec3 d = block_normalise(to_local(frame, offset), kDirectionBits);
     directions[i] = {static_cast<int16_t>(d.x), static_cast<int16_t>(d.y), static_cast<int16_t>(d.z), 0};
@@ -105,11 +105,11 @@ __attribute__((noinline)) void see_face(const EyeFrame& frame, const Face& face,
 }  // namespace
 
 void make_view(const Scene& scene, const EyePoint& eye, Backs backs, Workspace& work) {
-  const EyeFrame frame = eye_frame(flash_read(scene.faces, eye.face), eye.turn);
+  const EyeFrame frame = eye_frame(flash_at(scene.faces, eye.face), eye.turn);
   make_directions(scene, frame, eye.position, work.directions);
   work.view_count = 0;
   for (uint16_t f = 0; f < scene.face_count; ++f) {
-    const Face face = flash_read(scene.faces, f);
+    const Face& face = flash_at(scene.faces, f);
     const Vec3 corner = vec(flash_read(scene.vertices, corner_vertex(scene, face, 0)));
     const int32_t height = -dot(vec(face.normal), relative_to_eye(corner, eye.position));
     const bool is_back = height < -kEdgeOn;
@@ -126,11 +126,11 @@ void make_view(const Scene& scene, const EyePoint& eye, Backs backs, Workspace& 
 }
 
 void make_grids(const Scene& scene, const EyePoint& eye, Workspace& work) {
-  const EyeFrame frame = eye_frame(flash_read(scene.faces, eye.face), eye.turn);
+  const EyeFrame frame = eye_frame(flash_at(scene.faces, eye.face), eye.turn);
   for (uint16_t i = 0; i < work.view_count; ++i) {
     FaceView& view = work.views[i];
     if (!view.is_back && view.cells_u * view.cells_v > 1) {
-      make_grid(flash_read(scene.faces, view.face), frame, eye.position, view);
+      make_grid(flash_at(scene.faces, view.face), frame, eye.position, view);
     }
   }
 }
