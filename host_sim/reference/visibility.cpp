@@ -4,6 +4,7 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -53,6 +54,22 @@ void set_ray(RTCRay& ray, const glm::dvec3& origin, const glm::dvec3& direction,
   ray.mask = std::numeric_limits<unsigned>::max();
   ray.id = 0;
   ray.flags = 0;
+}
+
+/// One segment of a packet.
+void set_ray(RTCRay8& rays, std::size_t k, const glm::dvec3& origin, const glm::dvec3& direction) {
+  rays.org_x[k] = static_cast<float>(origin.x);
+  rays.org_y[k] = static_cast<float>(origin.y);
+  rays.org_z[k] = static_cast<float>(origin.z);
+  rays.dir_x[k] = static_cast<float>(direction.x);
+  rays.dir_y[k] = static_cast<float>(direction.y);
+  rays.dir_z[k] = static_cast<float>(direction.z);
+  rays.tnear[k] = kSegmentMargin;
+  rays.tfar[k] = 1.0F - kSegmentMargin;
+  rays.time[k] = 0.0F;
+  rays.mask[k] = std::numeric_limits<unsigned>::max();
+  rays.id[k] = 0;
+  rays.flags[k] = 0;
 }
 
 }  // namespace
@@ -164,6 +181,26 @@ bool RayScene::visible(const glm::dvec3& p, const glm::dvec3& p_normal, const gl
   rtcInitIntersectContext(&context);
   rtcOccluded1(impl_->scene, &context, &ray);
   return ray.tfar >= 0.0F;  // Embree sets it to minus infinity when something is in the way
+}
+
+std::uint32_t RayScene::visible_packet(const glm::dvec3* p, const glm::dvec3& p_normal, const glm::dvec3* q,
+                                       const glm::dvec3& q_normal, std::size_t count) const {
+  RTCRay8 rays;
+  alignas(32) std::array<int, kPacket> valid{};
+  for (std::size_t k = 0; k < count; ++k) {
+    const glm::dvec3 from = impl_->to_unit(p[k]) + kLift * p_normal;
+    set_ray(rays, k, from, impl_->to_unit(q[k]) + kLift * q_normal - from);
+    valid[k] = -1;
+  }
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcOccluded8(valid.data(), impl_->scene, &context, &rays);
+  std::uint32_t open = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    open |= rays.tfar[k] >= 0.0F ? 1U << k : 0U;
+  }
+  return open;
 }
 
 std::optional<RayHit> RayScene::nearest(const glm::dvec3& origin, const glm::dvec3& normal,
