@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "bench/bench_scene.h"
+#include "host_sim/reference/contact_cuts.h"
 #include "host_sim/reference/error_budget.h"
 #include "host_sim/reference/input_polygons.h"
 #include "host_sim/reference/path_tracer.h"
@@ -22,8 +23,8 @@ constexpr std::uint64_t kTruthPaths = 1U << 24U;
 // One mesh proves nothing: figures are means of three of about the same size.
 constexpr std::array<double, 3> kMeshes{0.93, 1.0, 1.07};
 // The fastest of so many runs counts, but slow runs are steady enough alone.
-constexpr int kRepeats = 5;
-constexpr double kSlow = 1.0;
+constexpr int kRepeats = 4;
+constexpr double kSlow = 0.5;
 
 struct Outcome {
   double seconds, error, elements, shots;
@@ -38,14 +39,13 @@ const std::vector<glm::dvec3>& truth() {
   return means;
 }
 
-double error_of(const DeviceScene& device, const std::vector<glm::dvec3>& radiosity) {
+double error_of(const std::vector<Overlap>& overlaps, const std::vector<glm::dvec3>& radiosity) {
   const Model& model = bench_scene(kScene).model;
   std::vector<bool> emits;
   for (const Face& face : model.faces) {
     emits.push_back(model.materials[face.material].emission != glm::dvec3(0.0));
   }
-  return compare_face_means(face_means(model, device.overlaps, radiosity), truth(), face_areas(model), emits)
-      .mean;
+  return compare_face_means(face_means(model, overlaps, radiosity), truth(), face_areas(model), emits).mean;
 }
 
 Outcome run_core(std::uint32_t elements, int resolution) {
@@ -54,19 +54,23 @@ Outcome run_core(std::uint32_t elements, int resolution) {
   options.elements = elements;
   options.resolution = resolution;
   const BakeResult result = bake(bench_scene(kScene).prepared, options);
-  return {result.seconds, error_of(result.device, result.element_radiosity),
+  return {result.seconds, error_of(result.device.overlaps, result.element_radiosity),
           static_cast<double>(result.plan.sizes.elements), static_cast<double>(result.shots)};
 }
 
-Outcome run_rays(std::uint32_t elements, std::uint32_t rays, bool keep_pairs) {
+// `cut`: on the mesh cut where faces touch, which the core's affine grids cannot be, instead of on the
+// core's.
+Outcome run_rays(std::uint32_t elements, std::uint32_t rays, bool cut, bool keep_pairs) {
   const PreparedScene& scene = bench_scene(kScene).prepared;
   const DeviceScene device = make_device_scene(scene, make_uniform(scene, elements, elements));
+  const OverlappedMesh taken =
+      cut ? cut_at_contacts(scene, device) : OverlappedMesh{device.mesh, device.overlaps};
   RayCastOptions options;
   options.rays = rays;
   options.keep_pairs = keep_pairs;
-  const RayCastResult result = ray_cast_shooting(device.mesh, options);
-  return {result.seconds, error_of(device, result.radiosity),
-          static_cast<double>(device.mesh.elements.size()), static_cast<double>(result.shots)};
+  const RayCastResult result = ray_cast_shooting(taken.mesh, options);
+  return {result.seconds, error_of(taken.overlaps, result.radiosity),
+          static_cast<double>(taken.mesh.elements.size()), static_cast<double>(result.shots)};
 }
 
 // Runs on three meshes about `elements` large and reports means.
@@ -97,16 +101,18 @@ void BM_CornellByCore(benchmark::State& state) {
          [&](std::uint32_t elements) { return run_core(elements, static_cast<int>(state.range(1))); });
 }
 
-void BM_CornellByRays(benchmark::State& state) {
+void rays(benchmark::State& state, bool keep_pairs) {
   report(state, static_cast<double>(state.range(0)), [&](std::uint32_t elements) {
-    return run_rays(elements, static_cast<std::uint32_t>(state.range(1)), false);
+    return run_rays(elements, static_cast<std::uint32_t>(state.range(1)), state.range(2) != 0, keep_pairs);
   });
 }
 
+void BM_CornellByRays(benchmark::State& state) {
+  rays(state, false);
+}
+
 void BM_CornellByRaysKept(benchmark::State& state) {
-  report(state, static_cast<double>(state.range(0)), [&](std::uint32_t elements) {
-    return run_rays(elements, static_cast<std::uint32_t>(state.range(1)), true);
-  });
+  rays(state, true);
 }
 
 // Profile host: R as it chooses, from 200 to 3200 elements.
@@ -139,14 +145,14 @@ BENCHMARK(BM_CornellByCore)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1);
 BENCHMARK(BM_CornellByRays)
-    ->ArgsProduct({kSizes, {4, 8}})
-    ->ArgNames({"elements", "rays"})
+    ->ArgsProduct({{100, 180, 330, 600, 1100}, {4, 8, 16}, {0, 1}})
+    ->ArgNames({"elements", "rays", "cut"})
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1);
 BENCHMARK(BM_CornellByRaysKept)
-    ->ArgsProduct({kSizes, {4, 8, 16, 32}})
-    ->ArgNames({"elements", "rays"})
+    ->ArgsProduct({kSizes, {4, 8, 16, 32}, {0, 1}})
+    ->ArgNames({"elements", "rays", "cut"})
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1);

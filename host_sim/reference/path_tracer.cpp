@@ -245,6 +245,7 @@ Traced path_traced_irradiance(const std::vector<MeshElement>& polygons,
   const PathEstimator estimator(polygons);
   const EdgeClearance clearance(polygons);
   std::vector<Target> targets;
+  targets.reserve(points.size());
   for (const SurfacePoint& point : points) {
     targets.emplace_back(clearance.clear(point));
   }
