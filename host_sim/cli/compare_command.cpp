@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include <chrono>
+#include <cmath>
 #include <cstdio>
-#include <glm/exponential.hpp>
 #include <nlohmann/json.hpp>
 
 #include "host_sim/cli/session.h"
 #include "host_sim/reference/error_budget.h"
 #include "host_sim/reference/form_factors.h"
+#include "host_sim/reference/input_polygons.h"
 #include "host_sim/reference/path_tracer.h"
 #include "host_sim/reference/radiosity.h"
+#include "host_sim/reference/refined_radiosity.h"
 #include "host_sim/reference/twin.h"
 #include "host_sim/report/text.h"
 
 namespace fixrad::host {
 namespace {
-
-constexpr std::uint32_t kPaths = 4000000;      // of the truth, shared among the elements
-constexpr std::uint32_t kTruthElements = 400;  // only where paths start; the traced geometry is exact
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -28,76 +27,156 @@ struct Truth {
   double seconds = 0;
 };
 
-// Elements are independent, so the variances of a face's elements add up; the result is relative as
-// FaceMeanError::mean.
-double mean_standard_error(const Model& model, const std::vector<Overlap>& overlaps,
-                           const std::vector<glm::dvec3>& errors, const std::vector<glm::dvec3>& means,
-                           const std::vector<double>& areas, const std::vector<bool>& emits) {
-  std::vector<glm::dvec3> variance(model.faces.size(), glm::dvec3(0.0));
-  for (const Overlap& o : overlaps) {
-    const glm::dvec3 part = o.area / areas[o.input_face] * errors[o.element];
-    variance[o.input_face] += part * part;
-  }
-  for (std::size_t f = 0; f < variance.size(); ++f) {
-    variance[f] = means[f] + glm::sqrt(variance[f]);
-  }
-  return compare_face_means(variance, means, areas, emits).mean;
-}
+struct Line {
+  const char* name;
+  const char* what;
+  FaceMeanError error;
+  double seconds;
+};
 
-Truth trace_truth(const LoadedScene& scene, const std::vector<double>& areas,
-                  const std::vector<bool>& emits) {
-  const auto start = std::chrono::steady_clock::now();
-  const DeviceScene device =
-      make_device_scene(scene.prepared, make_uniform(scene.prepared, kTruthElements, kTruthElements));
-  PathTracingOptions options;
-  options.paths_per_element = std::max(64u, kPaths / static_cast<std::uint32_t>(device.elements.size()));
-  const PathTracedRadiosity traced = path_traced_radiosity(device.mesh, options);
+struct Budget {
+  std::vector<Line> lines;
   Truth truth;
-  truth.means = face_means(scene.model, device.overlaps, traced.mean);
-  truth.standard_error =
-      mean_standard_error(scene.model, device.overlaps, traced.standard_error, truth.means, areas, emits);
+  RefinedRadiosity refined;
+  FaceMeanError references;  // refined mesh against truth
+};
+
+// Face means of one scene, to be compared.
+class Comparison {
+ public:
+  explicit Comparison(const Model& model) : areas_(face_areas(model)) {
+    for (const Face& face : model.faces) {
+      emits_.push_back(model.materials[face.material].emission != glm::dvec3(0.0));
+    }
+  }
+
+  FaceMeanError operator()(const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>& b) const {
+    return compare_face_means(a, b, areas_, emits_);
+  }
+
+ private:
+  std::vector<double> areas_;
+  std::vector<bool> emits_;
+};
+
+Truth trace_truth(const LoadedScene& scene, const Comparison& compare) {
+  const auto start = std::chrono::steady_clock::now();
+  Traced traced = path_traced_faces(input_polygons(scene.prepared));
+  traced.mean.resize(scene.model.faces.size(), glm::dvec3(0.0));
+  traced.standard_error.resize(scene.model.faces.size(), glm::dvec3(0.0));
+  Truth truth;
+  truth.means = traced.mean;
+  for (std::size_t f = 0; f < traced.mean.size(); ++f) {
+    traced.mean[f] += traced.standard_error[f];
+  }
+  truth.standard_error = compare(traced.mean, truth.means).mean;
   truth.seconds = seconds_since(start);
   return truth;
 }
 
-struct Line {
-  const char* name;
-  const char* what;
-  double mean, worst, seconds;
-};
+// Which face of the file, and what it is made of.
+std::string address(const Model& model, std::size_t face) {
+  return std::to_string(face % model.file_faces) + " " + model.materials[model.faces[face].material].name;
+}
 
-void print(const LoadedScene& scene, const BakeResult& result, const Truth& truth,
-           const std::vector<Line>& lines) {
+void print(const LoadedScene& scene, const BakeResult& result, const Budget& budget) {
   std::printf("error budget of %s, profile %s, %u elements, R = %d, %.3g %% unshot\n",
               scene.model.path.c_str(), result.plan.profile.name.c_str(), result.plan.sizes.elements,
               result.plan.resolution, 100 * result.unshot_fraction);
-  std::printf("  %-13s %-64s %8s %8s %9s\n", "error", "of what against what", "mean %", "worst %", "seconds");
-  for (const Line& line : lines) {
-    std::printf("  %-13s %-64s %8.3f %8.2f %9.3f\n", line.name, line.what, 100 * line.mean, 100 * line.worst,
-                line.seconds);
+  std::printf("  %-13s %-56s %8s %8s %9s  %s\n", "error", "of what against what", "mean %", "worst %",
+              "seconds", "worst face");
+  for (const Line& line : budget.lines) {
+    std::printf("  %-13s %-56s %8.3f %8.2f %9.3f  %s\n", line.name, line.what, 100 * line.error.mean,
+                100 * line.error.worst, line.seconds, address(scene.model, line.error.worst_face).c_str());
   }
   std::printf(
       "  arithmetic: element radiosity over the scene's mean. Others: means of faces that do not emit, "
-      "weighted by area;\n");
+      "weighted by area;\n"
+      "  worst: of the faces with at least a tenth of the mean radiosity; faces count from 0. Seconds: the "
+      "shots "
+      "in double,\n  the form factors, all refined meshes, the fixed-point core.\n");
+  const RefinedRadiosity& refined = budget.refined;
+  std::printf("  Refined mesh: %u elements, cut where faces touch; the last doubling moved face means by ",
+              refined.elements);
+  if (std::isfinite(refined.change)) {
+    std::printf("%.3f %%%s.\n", 100 * refined.change, refined.settled ? "" : ", not settled yet");
+  } else {
+    std::printf("nobody knows: one mesh was all that fitted.\n");
+  }
   std::printf(
-      "  worst: of the faces with at least a tenth of the mean radiosity. Truth: path traced, standard error "
-      "%.3f %%.\n",
-      100 * truth.standard_error);
+      "  Truth: path traced in %.3f s, standard error %.3f %%; the refined mesh is %.3f %% from it.\n",
+      budget.truth.seconds, 100 * budget.truth.standard_error, 100 * budget.references.mean);
 }
 
-nlohmann::ordered_json to_json(const BakeResult& result, const Truth& truth, const std::vector<Line>& lines) {
+nlohmann::ordered_json to_json(const Model& model, const BakeResult& result, const Budget& budget) {
+  const RefinedRadiosity& refined = budget.refined;
   nlohmann::ordered_json json = {{"profile", result.plan.profile.name},
                                  {"resolution", result.plan.resolution},
                                  {"elements", result.plan.sizes.elements},
-                                 {"truth_standard_error", truth.standard_error}};
-  for (const Line& line : lines) {
+                                 {"truth_standard_error", budget.truth.standard_error},
+                                 {"truth_seconds", budget.truth.seconds}};
+  for (const Line& line : budget.lines) {
+    const std::size_t face = line.error.worst_face;
     json["errors"].push_back({{"name", line.name},
                               {"what", line.what},
-                              {"mean", line.mean},
-                              {"worst", line.worst},
+                              {"mean", line.error.mean},
+                              {"worst", line.error.worst},
+                              {"worst_face", face % model.file_faces},
+                              {"worst_material", model.materials[model.faces[face].material].name},
                               {"seconds", line.seconds}});
   }
+  json["refined"] = {{"elements", refined.elements},
+                     {"settled", refined.settled},
+                     {"against_truth", budget.references.mean}};
+  json["refined"]["change"] =
+      std::isfinite(refined.change) ? nlohmann::json(refined.change) : nlohmann::json();
   return json;
+}
+
+// The core's run and its twin's, first line of the budget.
+FaceMeanError arithmetic_error(const BakeResult& result, const std::vector<glm::dvec3>& twin_radiosity) {
+  std::vector<double> areas;
+  for (const MeshElement& e : result.device.mesh.elements) {
+    areas.push_back(e.area);
+  }
+  const ArithmeticError error = compare_arithmetic(result.element_radiosity, twin_radiosity, areas);
+  return {error.mean, error.max, result.device.mesh.elements[error.worst_element].input_face};
+}
+
+Budget measure(const LoadedScene& scene, const CommonOptions& options, const BakeResult& result,
+               const Recorder& recorder) {
+  const DeviceScene& device = result.device;
+  const Comparison compare(scene.model);
+  const auto means = [&](const std::vector<glm::dvec3>& b) {
+    return face_means(scene.model, device.overlaps, b);
+  };
+  auto start = std::chrono::steady_clock::now();
+  Twin twin(device.view(), make_settings(options.bake, result.plan));
+  twin.replay(recorder);
+  const double twin_seconds = seconds_since(start);
+  const std::vector<glm::dvec3> twin_radiosity =
+      twin.element_radiosity(device.unit_watts, 1 / (8 * device.grid.scale * device.grid.scale));
+
+  start = std::chrono::steady_clock::now();
+  const FormFactors factors = form_factors(device.mesh, effort_for(device.mesh.elements.size()));
+  const std::vector<glm::dvec3> reference = means(solve_radiosity(device.mesh, factors));
+  const double reference_seconds = seconds_since(start);
+
+  Budget budget;
+  start = std::chrono::steady_clock::now();
+  budget.refined = refined_radiosity(scene.prepared);
+  const double refined_seconds = seconds_since(start);
+  budget.truth = trace_truth(scene, compare);
+  budget.references = compare(budget.refined.face_means, budget.truth.means);
+  budget.lines = {{"arithmetic", "fixed point / the same shots in double",
+                   arithmetic_error(result, twin_radiosity), twin_seconds},
+                  {"form factors", "those shots in double / accurate form factors, same mesh",
+                   compare(means(twin_radiosity), reference), reference_seconds},
+                  {"mesh", "accurate form factors on this mesh / on a refined mesh",
+                   compare(reference, budget.refined.face_means), refined_seconds},
+                  {"total", "fixed point / truth",
+                   compare(means(result.element_radiosity), budget.truth.means), result.seconds}};
+  return budget;
 }
 
 }  // namespace
@@ -108,7 +187,6 @@ int run_compare(const CommonOptions& options) {
   }
   check_folder(options.json);
   const auto scene = load_scene(options);
-  const Model& model = scene->model;
   std::unique_ptr<Recorder> recorder;
   const auto start_recorder = [&](const State& state) {
     recorder = std::make_unique<Recorder>(state);
@@ -127,44 +205,11 @@ int run_compare(const CommonOptions& options) {
     return kInterrupted;
   }
   exit_on_interrupt();
-  const DeviceScene& device = result.device;
-  auto start = std::chrono::steady_clock::now();
-  Twin twin(device.view(), make_settings(options.bake, result.plan));
-  twin.replay(*recorder);
-  const double twin_seconds = seconds_since(start);
-  const std::vector<glm::dvec3> twin_radiosity =
-      twin.element_radiosity(device.unit_watts, 1 / (8 * device.grid.scale * device.grid.scale));
-  std::vector<double> element_areas;
-  for (const MeshElement& e : device.mesh.elements) {
-    element_areas.push_back(e.area);
-  }
-  const ArithmeticError arithmetic =
-      compare_arithmetic(result.element_radiosity, twin_radiosity, element_areas);
-
-  start = std::chrono::steady_clock::now();
-  const std::vector<glm::dvec3> reference = solve_radiosity(device.mesh, form_factors(device.mesh));
-  const double reference_seconds = seconds_since(start);
-
-  const std::vector<double> areas = face_areas(model);
-  std::vector<bool> emits;
-  for (const Face& face : model.faces) {
-    emits.push_back(model.materials[face.material].emission != glm::dvec3(0.0));
-  }
-  const Truth truth = trace_truth(*scene, areas, emits);
-  const auto means = [&](const std::vector<glm::dvec3>& b) { return face_means(model, device.overlaps, b); };
-  const FaceMeanError factors = compare_face_means(means(twin_radiosity), means(reference), areas, emits);
-  const FaceMeanError mesh = compare_face_means(means(reference), truth.means, areas, emits);
-  const FaceMeanError total = compare_face_means(means(result.element_radiosity), truth.means, areas, emits);
-  const std::vector<Line> lines = {
-      {"arithmetic", "fixed point / the same shots in double", arithmetic.mean, arithmetic.max, twin_seconds},
-      {"form factors", "those shots in double / accurate form factors, same mesh", factors.mean,
-       factors.worst, reference_seconds},
-      {"mesh", "accurate form factors on this mesh / truth", mesh.mean, mesh.worst, truth.seconds},
-      {"total", "fixed point / truth", total.mean, total.worst, result.seconds}};
+  const Budget budget = measure(*scene, options, result, *recorder);
   catch_interrupt();
-  print(*scene, result, truth, lines);
+  print(*scene, result, budget);
   if (!options.json.empty()) {
-    write_text(options.json, to_json(result, truth, lines).dump(2) + "\n");
+    write_text(options.json, to_json(scene->model, result, budget).dump(2) + "\n");
   }
   return kDone;
 }

@@ -14,9 +14,12 @@ class CounterRandom {
       : state_(mix(mix(mix(seed + kStep) + major + kStep) + minor + kStep)) {}
 
   /// The next number of the stream, uniform in [0, 1), 53 bits.
-  double next() {
+  double next() { return static_cast<double>(next_bits() >> 11U) * 0x1p-53; }
+
+  /// The next 64 bits of the stream.
+  std::uint64_t next_bits() {
     state_ += kStep;
-    return static_cast<double>(mix(state_) >> 11U) * 0x1p-53;
+    return mix(state_);
   }
 
  private:

@@ -36,7 +36,11 @@ FaceMeanError compare_face_means(const std::vector<glm::dvec3>& a, const std::ve
   result.mean = error / light;
   for (std::size_t f = 0; f < b.size(); ++f) {
     if ((counts_all || !emits[f]) && areas[f] > 0 && sum(b[f]) >= 0.1 * light / area) {
-      result.worst = std::max(result.worst, distance(a[f], b[f]) / sum(b[f]));
+      const double of_face = distance(a[f], b[f]) / sum(b[f]);
+      if (of_face >= result.worst) {
+        result.worst = of_face;
+        result.worst_face = f;
+      }
     }
   }
   return result;

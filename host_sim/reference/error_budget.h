@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -12,6 +13,7 @@ struct FaceMeanError {
       0;  ///< sum of area |a - b| over sum of area b, faces that emit left out (unless all do), all channels
   double worst =
       0;  ///< largest |a - b| / b of a face with at least a tenth of the mean radiosity, channels summed
+  std::size_t worst_face = 0;  ///< that face
 };
 
 /// `a`, `b`: radiosity [faces]; `areas` [faces], 0 leaves a face out; `emits` [faces].

@@ -14,10 +14,13 @@
 namespace fixrad::host {
 namespace {
 
+constexpr double kPi = 3.141592653589793;
 constexpr std::uint64_t kJitterSeed = 0x666f726d66616374U;
 /// An element this many of its radii away from the other needs no graded quadrature: four points are within
 /// 0.1 %.
 constexpr double kFarInRadii = 4.0;
+/// Two elements this many of their radii apart need no closed form: 4 points on either are within 0.1 %.
+constexpr double kFarApart = 3.0;
 /// Sample points, at least, where the other element is half hidden.
 constexpr std::size_t kPartialPoints = 16;
 
@@ -29,6 +32,10 @@ double radius(const MeshElement& element) {
     reach = std::max(reach, glm::length(corner - element.centroid));
   }
   return reach;
+}
+
+bool emits(const MeshElement& element) {
+  return element.emission != glm::dvec3{0.0};
 }
 
 /// Whether some corner of b lies in front of a's plane.
@@ -44,6 +51,15 @@ double radical_inverse(std::uint32_t index) {
     value += (index & 1U) != 0 ? digit : 0.0;
   }
   return value;
+}
+
+/// cos cos / r^2 between two surface points, 0 where one faces away.
+double kernel(const glm::dvec3& p, const glm::dvec3& p_normal, const glm::dvec3& q,
+              const glm::dvec3& q_normal) {
+  const glm::dvec3 sight = q - p;
+  const double square = glm::dot(sight, sight);
+  const double cosines = std::max(0.0, glm::dot(sight, p_normal)) * std::max(0.0, -glm::dot(sight, q_normal));
+  return square > 0.0 ? cosines / (square * square) : 0.0;
 }
 
 double sum_of_weights(const Points& points) {
@@ -129,6 +145,63 @@ class ExchangeQuadrature {
   double estimate_ = 0.0;
 };
 
+/// Exchange of two elements that are small beside their distance: Gauss-Legendre points on both, times the
+/// part of a few stratified rays that gets through.
+class FarExchange {
+ public:
+  FarExchange(const MeshElement& i, const MeshElement& j, const RayScene& scene, std::uint64_t stream)
+      : i_(i), j_(j), scene_(scene), random_(kJitterSeed, stream, 1) {}
+
+  double value(std::uint32_t rays) {
+    const double open = unblocked();
+    return open > 0.0 ? open * visible_part(std::min<std::uint32_t>(rays, RayScene::kPacket)) : 0.0;
+  }
+
+ private:
+  double unblocked() const {
+    double sum = 0.0;
+    for (const QuadratureCell& from : quadrature_cells(i_.polygon)) {
+      const auto p = from.points();
+      for (const QuadratureCell& to : quadrature_cells(j_.polygon)) {
+        const auto q = to.points();
+        for (const QuadraturePoint& a : p) {
+          for (const QuadraturePoint& b : q) {
+            sum += a.weight * b.weight * kernel(a.position, i_.normal, b.position, j_.normal);
+          }
+        }
+      }
+    }
+    return sum / kPi;
+  }
+
+  double visible_part(std::uint32_t rays) {
+    std::array<glm::dvec3, RayScene::kPacket> p;
+    std::array<glm::dvec3, RayScene::kPacket> q;
+    const double shift = random_.next();
+    for (std::uint32_t ray = 0; ray < rays; ++ray) {
+      const double stratum = (ray + random_.next()) / rays;
+      const double v = radical_inverse(ray) + shift;
+      p[ray] = sample_polygon(i_.polygon, stratum, v - std::floor(v));
+      const double w = radical_inverse(ray) + random_.next();
+      q[ray] = sample_polygon(j_.polygon, random_.next(), w - std::floor(w));
+    }
+    const std::uint32_t seen = scene_.visible_packet(p.data(), i_.normal, q.data(), j_.normal, rays);
+    double open = 0.0;
+    double total = 0.0;
+    for (std::uint32_t ray = 0; ray < rays; ++ray) {
+      const double weight = kernel(p[ray], i_.normal, q[ray], j_.normal);
+      total += weight;
+      open += ((seen >> ray) & 1U) != 0 ? weight : 0.0;
+    }
+    return total > 0.0 ? open / total : 0.0;
+  }
+
+  const MeshElement& i_;
+  const MeshElement& j_;
+  const RayScene& scene_;
+  CounterRandom random_;
+};
+
 /// Rays from sample points of `from` to `to`.
 class VisibleFraction {
  public:
@@ -146,7 +219,7 @@ class VisibleFraction {
     for (std::uint32_t ray = 0; ray < rays; ++ray) {
       const double v = radical_inverse(ray) + shift_v;
       const glm::dvec3 target = sample_polygon(to_.polygon, (ray + shift_u) / rays, v - std::floor(v));
-      const double weight = kernel(point, target);
+      const double weight = kernel(point, from_.normal, target, to_.normal);
       total += weight;
       open += weight > 0.0 && scene_.visible(point, from_.normal, target, to_.normal) ? weight : 0.0;
     }
@@ -154,14 +227,6 @@ class VisibleFraction {
   }
 
  private:
-  double kernel(const glm::dvec3& point, const glm::dvec3& target) const {
-    const glm::dvec3 sight = target - point;
-    const double square = glm::dot(sight, sight);
-    const double cosines =
-        std::max(0.0, glm::dot(sight, from_.normal)) * std::max(0.0, -glm::dot(sight, to_.normal));
-    return square > 0.0 ? cosines / (square * square) : 0.0;
-  }
-
   /// Where only a corner of `to` rises above the horizon, no ray may find it.
   double at_highest_corner(const glm::dvec3& point) const {
     const auto height = [&](const glm::dvec3& corner) { return glm::dot(from_.normal, corner - point); };
@@ -195,11 +260,15 @@ double exchange(const MeshElement& i, const MeshElement& j, const RayScene& scen
   if (i.plane == j.plane || !looks_at(i, j) || !looks_at(j, i)) {
     return 0.0;
   }
+  const double distance = glm::length(i.centroid - j.centroid);
+  if (options.far_rays > 0 && !emits(i) && !emits(j) && distance > kFarApart * (radius(i) + radius(j))) {
+    return FarExchange(i, j, scene, stream).value(options.far_rays);
+  }
   // The closed form takes the larger element; the integrand varies least over the smaller one.
   const bool i_is_smaller = i.area <= j.area;
   const MeshElement& from = i_is_smaller ? i : j;
   const MeshElement& to = i_is_smaller ? j : i;
-  const double gap = glm::length(from.centroid - to.centroid) - radius(to);
+  const double gap = distance - radius(to);
   ExchangeQuadrature quadrature(from, to, options);
   Points points = gap > kFarInRadii * radius(from) ? quadrature.uniform(0) : quadrature.graded();
   const double unblocked = sum_of_weights(points);

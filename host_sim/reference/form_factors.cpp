@@ -12,6 +12,8 @@
 namespace fixrad::host {
 namespace {
 
+constexpr std::size_t kFewElements = 600;
+
 void check_elements(const ElementMesh& mesh) {
   for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
     if (mesh.elements[i].polygon.size() < 3 || !(mesh.elements[i].area > 0.0)) {
@@ -29,6 +31,16 @@ std::vector<double> FormFactors::row_sums() const {
     sums[i] = std::accumulate(row, row + size, 0.0);
   }
   return sums;
+}
+
+FormFactorOptions effort_for(std::size_t elements) {
+  FormFactorOptions options;
+  if (elements <= kFewElements) {
+    options.probe_rays = 8;
+  } else {
+    options.far_rays = 4;
+  }
+  return options;
 }
 
 FormFactors form_factors(const ElementMesh& mesh, const FormFactorOptions& options) {

@@ -22,24 +22,34 @@ double fan_area(const std::vector<glm::dvec3>& polygon, std::size_t k) {
 
 }  // namespace
 
-glm::dvec3 sample_polygon(const std::vector<glm::dvec3>& polygon, double u, double v) {
+PolygonSampler::PolygonSampler(const std::vector<glm::dvec3>& polygon) : corners_(polygon) {
   if (is_parallelogram(polygon)) {
-    return polygon[0] + u * (polygon[1] - polygon[0]) + v * (polygon[3] - polygon[0]);
+    return;
   }
   double total = 0.0;
   for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
     total += fan_area(polygon, k);
+    cumulative_.push_back(total);
   }
-  double rest = u * total;
-  std::size_t k = 1;
-  double area = fan_area(polygon, k);
-  while (k + 2 < polygon.size() && rest >= area) {
-    rest -= area;
-    area = fan_area(polygon, ++k);
+}
+
+glm::dvec3 PolygonSampler::sample(double u, double v) const {
+  const glm::dvec3& origin = corners_[0];
+  if (cumulative_.empty()) {
+    return origin + u * (corners_[1] - origin) + v * (corners_[3] - origin);
   }
+  const double at = u * cumulative_.back();
+  const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end() - 1, at);
+  const auto k = static_cast<std::size_t>(found - cumulative_.begin());
+  const double before = k == 0 ? 0.0 : cumulative_[k - 1];
+  const double area = *found - before;
   // The triangle's own u, stretched again to [0, 1]; the square root makes the map keep areas.
-  const double along = std::sqrt(area > 0.0 ? std::clamp(rest / area, 0.0, 1.0) : 0.0);
-  return polygon[0] + along * ((1.0 - v) * (polygon[k] - polygon[0]) + v * (polygon[k + 1] - polygon[0]));
+  const double along = std::sqrt(area > 0.0 ? std::clamp((at - before) / area, 0.0, 1.0) : 0.0);
+  return origin + along * ((1.0 - v) * (corners_[k + 1] - origin) + v * (corners_[k + 2] - origin));
+}
+
+glm::dvec3 sample_polygon(const std::vector<glm::dvec3>& polygon, double u, double v) {
+  return PolygonSampler(polygon).sample(u, v);
 }
 
 std::array<QuadraturePoint, 4> QuadratureCell::points() const {

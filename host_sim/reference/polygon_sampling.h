@@ -11,6 +11,20 @@ namespace fixrad::host {
 /// stratified points. u, v in [0, 1].
 glm::dvec3 sample_polygon(const std::vector<glm::dvec3>& polygon, double u, double v);
 
+/// sample_polygon() for many samples of one polygon: a parallelogram costs two products of vectors, others a
+/// search through their corners and a square root.
+class PolygonSampler {
+ public:
+  /// @param polygon  convex, 3 corners or more; copied
+  explicit PolygonSampler(const std::vector<glm::dvec3>& polygon);
+
+  glm::dvec3 sample(double u, double v) const;
+
+ private:
+  std::vector<glm::dvec3> corners_;
+  std::vector<double> cumulative_;  ///< doubled area of the fan's triangles so far; empty for a parallelogram
+};
+
 /// A point of a quadrature rule; the weights of a rule add up to the area that it covers.
 struct QuadraturePoint {
   glm::dvec3 position{0.0};

@@ -125,19 +125,26 @@ ArithmeticError compare_arithmetic(const std::vector<glm::dvec3>& fixed, const s
   if (fixed.size() != twin.size() || fixed.size() != areas.size()) {
     throw std::invalid_argument("radiosities and areas must be of the same elements");
   }
-  ArithmeticError error = {0, 0};
+  ArithmeticError error;
   for (glm::length_t c = 0; c < 3; ++c) {
     double area = 0, light = 0, sum = 0, highest = 0;
+    std::size_t at = 0;
     for (std::size_t e = 0; e < areas.size(); ++e) {
       const double difference = std::fabs(fixed[e][c] - twin[e][c]);
       area += areas[e];
       light += areas[e] * twin[e][c];
       sum += areas[e] * difference;
-      highest = std::max(highest, difference);
+      if (difference > highest) {
+        highest = difference;
+        at = e;
+      }
     }
     if (light > 0) {
       error.mean = std::max(error.mean, sum / light);
-      error.max = std::max(error.max, highest * area / light);
+      if (highest * area / light > error.max) {
+        error.max = highest * area / light;
+        error.worst_element = at;
+      }
     }
   }
   return error;

@@ -67,7 +67,8 @@ class Twin {
 /// Error of the fixed-point arithmetic: |fixed - twin| of element radiosities over the scene's mean
 /// radiosity.
 struct ArithmeticError {
-  double mean, max;  ///< of the worst channel
+  double mean = 0, max = 0;       ///< of the worst channel
+  std::size_t worst_element = 0;  ///< where max is
 };
 
 /// `fixed`, `twin` [elements] in one unit, `areas` [elements]: means are weighted by area. A channel without

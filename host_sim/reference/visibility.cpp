@@ -4,6 +4,7 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -55,6 +56,23 @@ void set_ray(RTCRay& ray, const glm::dvec3& origin, const glm::dvec3& direction,
   ray.flags = 0;
 }
 
+/// One segment of a packet.
+template <class Rays>
+void set_ray(Rays& rays, std::size_t k, const glm::dvec3& origin, const glm::dvec3& direction) {
+  rays.org_x[k] = static_cast<float>(origin.x);
+  rays.org_y[k] = static_cast<float>(origin.y);
+  rays.org_z[k] = static_cast<float>(origin.z);
+  rays.dir_x[k] = static_cast<float>(direction.x);
+  rays.dir_y[k] = static_cast<float>(direction.y);
+  rays.dir_z[k] = static_cast<float>(direction.z);
+  rays.tnear[k] = kSegmentMargin;
+  rays.tfar[k] = 1.0F - kSegmentMargin;
+  rays.time[k] = 0.0F;
+  rays.mask[k] = std::numeric_limits<unsigned>::max();
+  rays.id[k] = 0;
+  rays.flags[k] = 0;
+}
+
 }  // namespace
 
 struct RayScene::Impl {
@@ -62,6 +80,7 @@ struct RayScene::Impl {
   RTCScene scene = nullptr;
   glm::dvec3 centre{0.0};
   double half_size = 1.0;
+  double per_half_size = 1.0;
 
   ~Impl() {
     if (scene != nullptr) {
@@ -72,7 +91,7 @@ struct RayScene::Impl {
     }
   }
 
-  glm::dvec3 to_unit(const glm::dvec3& position) const { return (position - centre) / half_size; }
+  glm::dvec3 to_unit(const glm::dvec3& position) const { return (position - centre) * per_half_size; }
 
   void fit(const std::vector<glm::dvec3>& positions) {
     if (positions.empty()) {
@@ -90,6 +109,7 @@ struct RayScene::Impl {
     if (!(half_size > 0.0)) {
       half_size = 1.0;
     }
+    per_half_size = 1.0 / half_size;
   }
 
   RTCRayHit intersect(const glm::dvec3& from, const glm::dvec3& direction, RTCFilterFunctionN filter) const {
@@ -102,6 +122,37 @@ struct RayScene::Impl {
     context.filter = filter;
     rtcIntersect1(scene, &context, &query);
     return query;
+  }
+
+  /// Segments between surface points.
+  struct Packet {
+    const glm::dvec3* p;
+    const glm::dvec3& p_normal;
+    const glm::dvec3* q;
+    const glm::dvec3& q_normal;
+    std::size_t count;
+  };
+
+  /// Bit k is set where segment k is free.
+  template <class Rays, std::size_t Width, class Query>
+  std::uint32_t occluded(const Packet& packet, Query query) const {
+    Rays rays;
+    alignas(32) std::array<int, Width> valid{};
+    const glm::dvec3 p_lift = kLift * packet.p_normal;
+    const glm::dvec3 q_lift = kLift * packet.q_normal;
+    for (std::size_t k = 0; k < packet.count; ++k) {
+      const glm::dvec3 from = to_unit(packet.p[k]) + p_lift;
+      set_ray(rays, k, from, to_unit(packet.q[k]) + q_lift - from);
+      valid[k] = -1;
+    }
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    query(valid.data(), scene, &context, &rays);
+    std::uint32_t open = 0;
+    for (std::size_t k = 0; k < packet.count; ++k) {
+      open |= rays.tfar[k] >= 0.0F ? 1U << k : 0U;
+    }
+    return open;
   }
 
   void attach(const std::vector<glm::dvec3>& positions, const std::vector<std::uint32_t>& triangles) {
@@ -164,6 +215,13 @@ bool RayScene::visible(const glm::dvec3& p, const glm::dvec3& p_normal, const gl
   rtcInitIntersectContext(&context);
   rtcOccluded1(impl_->scene, &context, &ray);
   return ray.tfar >= 0.0F;  // Embree sets it to minus infinity when something is in the way
+}
+
+std::uint32_t RayScene::visible_packet(const glm::dvec3* p, const glm::dvec3& p_normal, const glm::dvec3* q,
+                                       const glm::dvec3& q_normal, std::size_t count) const {
+  const Impl::Packet packet = {p, p_normal, q, q_normal, count};
+  return count <= 4 ? impl_->occluded<RTCRay4, 4>(packet, rtcOccluded4)
+                    : impl_->occluded<RTCRay8, kPacket>(packet, rtcOccluded8);
 }
 
 std::optional<RayHit> RayScene::nearest(const glm::dvec3& origin, const glm::dvec3& normal,

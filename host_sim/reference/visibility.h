@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
@@ -41,6 +42,13 @@ class RayScene {
   /// point.
   bool visible(const glm::dvec3& p, const glm::dvec3& p_normal, const glm::dvec3& q,
                const glm::dvec3& q_normal) const;
+
+  /// visible() for up to kPacket pairs of points on two surfaces at once, which costs less than half as much.
+  /// @param p, q   [count] scene units
+  /// @return bit k is set where nothing stands between p[k] and q[k]
+  std::uint32_t visible_packet(const glm::dvec3* p, const glm::dvec3& p_normal, const glm::dvec3* q,
+                               const glm::dvec3& q_normal, std::size_t count) const;
+  static constexpr std::size_t kPacket = 8;
 
   /// The first triangle in a direction (unit) from a surface point; nothing when the ray leaves the scene.
   /// Where two triangles lie back to back in one plane (a two-sided sheet), it is the one that turns its

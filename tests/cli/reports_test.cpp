@@ -22,9 +22,26 @@ TEST(Compare, PrintsTheErrorBudgetLineByLine) {
     EXPECT_GE(json["errors"][k]["mean"].get<double>(), 0.0);
     EXPECT_GE(json["errors"][k]["worst"].get<double>(), 0.0);
     EXPECT_GE(json["errors"][k]["seconds"].get<double>(), 0.0);
+    EXPECT_LT(json["errors"][k]["worst_face"].get<int>(), 6);
+    const std::string address = std::to_string(json["errors"][k]["worst_face"].get<int>()) + " " +
+                                json["errors"][k]["worst_material"].get<std::string>() + "\n";
+    EXPECT_THAT(run.out, HasSubstr(address));
   }
   EXPECT_LE(json["errors"][0]["mean"].get<double>(), 0.0015);
   EXPECT_LE(json["errors"][0]["worst"].get<double>(), 0.015);
+}
+
+TEST(Compare, ItsTwoIndependentReferencesAgree) {
+  const ScratchFolder folder;
+  const Outcome run =
+      run_tool({"compare", sample_scene("cornell"), "--profile", "tiny", "--json", folder / "errors.json"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const auto json = nlohmann::json::parse(contents(folder / "errors.json"));
+  EXPECT_TRUE(json["refined"]["settled"].get<bool>());
+  EXPECT_LE(json["refined"]["change"].get<double>(), 0.001);
+  EXPECT_LE(json["truth_standard_error"].get<double>(), 0.001);
+  // No more apart than what is left of the mesh error and two standard errors.
+  EXPECT_LE(json["refined"]["against_truth"].get<double>(), 0.003);
 }
 
 TEST(Compare, RefusesWhatCannotBeReplayed) {

@@ -23,8 +23,8 @@ const glm::dvec3 kZ{0, 0, 1};
 const glm::dvec3 kOrigin{0.0};
 
 /// Form factor between faces 0 and 1 of a mesh of two faces.
-double between_faces(const ElementMesh& mesh) {
-  const FormFactors factors = form_factors(mesh);
+double between_faces(const ElementMesh& mesh, const FormFactorOptions& options = {}) {
+  const FormFactors factors = form_factors(mesh, options);
   double sum = 0.0;
   double area = 0.0;
   for (std::size_t i = 0; i < factors.size; ++i) {
@@ -153,6 +153,32 @@ TEST(FormFactors, RowsOfAClosedRoomWithATwoSidedSheetAddUpToOne) {
     area += mesh.elements[i].area;
   }
   EXPECT_NEAR(mean / area, 1.0, 2e-3);
+}
+
+FormFactorOptions few_far_rays() {
+  FormFactorOptions options;
+  options.far_rays = 4;
+  return options;
+}
+
+TEST(FormFactors, FewFarRaysKeepTheRowsOfAClosedCube) {
+  for (const double sum : form_factors(unit_cube(10, {}, {}), few_far_rays()).row_sums()) {
+    EXPECT_NEAR(sum, 1.0, 1e-4);
+  }
+}
+
+TEST(FormFactors, FewFarRaysFindHalfABlockedViewInTheMean) {
+  ElementMesh mesh;
+  add_grid(mesh, kOrigin, kX, kY, 16, 16, {});
+  add_grid(mesh, 4.0 * kZ, kY, kX, 16, 16, {});
+  const double open = between_faces(mesh, few_far_rays());
+  add_blocker(mesh, {0.5, -5, 2}, 10.0 * kX, 11.0 * kY);
+  EXPECT_NEAR(between_faces(mesh, few_far_rays()), 0.5 * open, 2e-3 * open);
+}
+
+TEST(FormFactors, EffortForManyElementsTakesFewFarRays) {
+  EXPECT_EQ(effort_for(100).far_rays, 0U);
+  EXPECT_EQ(effort_for(2000).far_rays, 4U);
 }
 
 TEST(FormFactors, DoNotDependOnTheNumberOfThreads) {

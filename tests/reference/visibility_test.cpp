@@ -20,6 +20,25 @@ TEST(Visibility, ATriangleBlocksFromBothSides) {
   EXPECT_TRUE(scene.visible({0, 2, 0}, kUp, {0, 2, 1}, -kUp));
 }
 
+TEST(Visibility, APacketSeesWhatItsRaysSee) {
+  const RayScene scene({{-1, -1, 0.5}, {1, -1, 0.5}, {0, 1, 0.5}}, {0, 1, 2});
+  glm::dvec3 p[RayScene::kPacket];
+  glm::dvec3 q[RayScene::kPacket];
+  for (std::size_t k = 0; k < RayScene::kPacket; ++k) {
+    const double x = 0.4 * static_cast<double>(k) - 1.5;
+    p[k] = {x, 0.1, 0};
+    q[k] = {-0.3 * x, 0.2, 1};
+  }
+  for (std::size_t count = 0; count <= RayScene::kPacket; ++count) {
+    std::uint32_t expected = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      expected |= scene.visible(p[k], kUp, q[k], -kUp) ? 1U << k : 0U;
+    }
+    EXPECT_EQ(scene.visible_packet(p, kUp, q, -kUp, count), expected) << count;
+    EXPECT_TRUE(count < RayScene::kPacket || (expected != 0 && expected != 0xffU)) << "all alike";
+  }
+}
+
 TEST(Visibility, WithoutBlockersEverythingIsVisible) {
   const RayScene scene({}, {});
   EXPECT_TRUE(scene.visible({0, 0, 0}, kUp, {0, 0, 1}, -kUp));
