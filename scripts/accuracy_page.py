@@ -139,6 +139,9 @@ def engine_summary(found):
     for engine in found["engines"]:
         cells = []
         for group, profile in columns:
+            if (group, engine, profile) not in found["results"]:
+                cells.append("not measured")
+                continue
             members = [m for m in found["results"][group, engine, profile] if m.runs]
             mean = sum(m.runs[0].error.mean for m in members) / len(members) if members else 0
             cells.append(f"{per_cent(mean, 2)} % ({sum(not missed(m, profile) for m in members)} of {len(members)})" if members else "none")
@@ -175,9 +178,9 @@ def case_table(found):
 
 def engine_table(found, group, profile):
     """Scenes down, engines across."""
-    columns = [found["results"][group, engine, profile] for engine in found["engines"]]
+    engines = [e for e in found["engines"] if (group, e, profile) in found["results"]]
     rows = []
-    for members in zip(*columns):
+    for members in zip(*(found["results"][group, e, profile] for e in engines)):
         cells = []
         for m in members:
             if not m.runs:
@@ -187,7 +190,9 @@ def engine_table(found, group, profile):
             text = f"{per_cent(mean, 2)} / {per_cent(max(r.error.worst for r in m.runs), 1)}"
             cells.append(text if not missed(m, profile) else f"*{text}*")
         rows.append([members[0].scene, *cells])
-    return table(["scene", *(f"`{e}`" for e in found["engines"])], rows)
+    left_out = [f"`{e}`" for e in found["engines"] if e not in engines]
+    note = f"\n{', '.join(left_out)}: not measured, minutes a scene.\n" if left_out else ""
+    return table(["scene", *(f"`{e}`" for e in engines)], rows) + note
 
 
 def refusals(found):

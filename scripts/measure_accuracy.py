@@ -6,11 +6,13 @@ docs/images/ too. Every engine that the tool knows, every scene of scenes/ and t
 
     scripts/measure_accuracy.py                everything, with build/host/fixrad; up to ten minutes on two cores
     scripts/measure_accuracy.py --tool PATH    another build of the tool
-    scripts/measure_accuracy.py --work FOLDER  keep scenes and truths there, and take the truths that are there already
+    scripts/measure_accuracy.py --work FOLDER  keep there what the tool writes, and run no command again whose result
+                                               is there (of the same tool, scene and options)
 """
 
 import argparse
 import concurrent.futures
+import hashlib
 import itertools
 import json
 import math
@@ -37,6 +39,9 @@ PICTURES = ("cornell", "furnished_room")
 DEFAULT_ENGINE = "lunes"
 PROFILES = ("large", "small", "tiny")
 OTHER_PROFILES = ("large", "small")  # of the other engines
+# Rays between all pairs of 2,000 elements take minutes a scene; the page says that this is left out.
+SLOW_ENGINES = ("rays",)
+SLOW_PROFILES = ("small",)
 MESHES = 3
 # Of the elements that a profile takes by itself; those after the third stand in where two give the same mesh.
 MESH_FACTORS = (1, 0.9, 1.1, 0.8, 1.2, 0.7)
@@ -73,8 +78,11 @@ class Measured:
 
 
 class Tool:
+    """The tool, and the folder that keeps what it has written: the same command is not run twice."""
+
     def __init__(self, path, folder):
-        self.path, self.folder, self.numbers = path, folder, itertools.count()
+        self.path, self.folder = path, folder
+        self.digest = hashlib.sha256(path.read_bytes())
 
     def __call__(self, *arguments):
         done = subprocess.run([self.path, *map(str, arguments), "--quiet"], cwd=ROOT, capture_output=True, text=True, check=False)
@@ -84,8 +92,19 @@ class Tool:
             raise Failure(f"{self.path} {' '.join(map(str, arguments))}: exit code {done.returncode}\n{done.stderr}")
         return done.stdout
 
-    def file(self, suffix):
-        return self.folder / f"run_{next(self.numbers)}{suffix}"
+    def files(self, command, scene, outputs, *options):
+        """Paths of what the command writes; outputs: [(option, suffix)]. Files appear complete or not at all."""
+        key = self.digest.copy()
+        for part in (command, *map(str, options)):
+            key.update(part.encode() + b"\0")
+        for path in (ROOT / scene, (ROOT / scene).with_suffix(".mtl")):
+            key.update(path.read_bytes() if path.exists() else b"")
+        stem = f"{command}_{pathlib.Path(scene).stem}_{key.hexdigest()[:16]}"
+        paths = [self.folder / (stem + suffix) for _, suffix in outputs]
+        if not all(path.exists() for path in paths):
+            self(command, scene, *options, *(word for (option, _), path in zip(outputs, paths) for word in (option, path)))
+            print(command, scene, *options, file=sys.stderr)
+        return paths
 
     def engines(self):
         """From the tool itself, so that none is forgotten; the default first."""
@@ -95,31 +114,27 @@ class Tool:
         return sorted(found[1].split(","), key=lambda name: (name != DEFAULT_ENGINE, name))
 
     def truth(self, scene):
-        path = self.folder / f"{pathlib.Path(scene).stem}.truth.csv"
-        if not path.exists():
-            partial = path.with_suffix(".partial")
-            self("truth", scene, "--csv", partial)
-            partial.rename(path)
-        print(f"traced {scene}", file=sys.stderr)
-        return read_faces(path)
+        return read_faces(self.files("truth", scene, [("--csv", ".csv")])[0])
 
     def bake(self, scene, *options):
         """(faces, record)"""
-        faces, record = self.file(".csv"), self.file(".json")
-        self("bake", scene, "--faces-csv", faces, "-o", record, *options)
+        faces, record = self.files("bake", scene, [("--faces-csv", ".csv"), ("-o", ".json")], *options)
         return read_faces(faces), json.loads(record.read_text())
+
+    def form_factor(self, scene, engine):
+        """From the first face to the second."""
+        path = self.files("form-factors", scene, [("--csv", ".csv")], "--engine", engine)[0]
+        factors = dict(line.rsplit(",", 1) for line in path.read_text().splitlines())
+        return float(factors.get("0,1", 0))
 
     def compare(self, scene, profile):
         """The record of `compare`, or None where the scene does not fit."""
-        file = self.file(".json")
         try:
-            self("compare", scene, "--profile", profile, "--json", file)
+            return json.loads(self.files("compare", scene, [("--json", ".json")], "--profile", profile)[0].read_text())
         except Refusal as refusal:
             if DOES_NOT_FIT not in str(refusal):
                 raise
             return None
-        print(f"compared {scene}, {profile}", file=sys.stderr)
-        return json.loads(file.read_text())
 
 
 def measure_scene(tool, name, scene, truth, engine, profile, meshes=MESHES):
@@ -140,7 +155,6 @@ def measure_scene(tool, name, scene, truth, engine, profile, meshes=MESHES):
             runs.append(Run(record["elements"], error_of(faces, truth), record))
         if len(runs) == meshes:
             break
-    print(f"baked {name}, {engine}, {profile}", file=sys.stderr)
     return Measured(name, runs)
 
 
@@ -164,6 +178,8 @@ def turned(scene, angle, folder):
 def profiles_of(group, engine):
     if group == TURNED:
         return TURNED_PROFILES if engine == DEFAULT_ENGINE else ()
+    if engine in SLOW_ENGINES:
+        return SLOW_PROFILES
     return PROFILES if engine == DEFAULT_ENGINE else OTHER_PROFILES
 
 
@@ -179,11 +195,8 @@ def measure_pairs(tool, engines, pool):
         scene = write_scene(tool.folder, f"pair_{number}", [("grey", source), ("grey", receiver)], {"grey": (0.5, 1)})
         found = {}
         for engine in engines:
-            file = tool.file(".csv")
             try:
-                tool("form-factors", scene, "--engine", engine, "--csv", file)
-                factors = dict(line.rsplit(",", 1) for line in file.read_text().splitlines())
-                found[engine] = float(factors.get("0,1", 0))
+                found[engine] = tool.form_factor(scene, engine)
             except Refusal:
                 found[engine] = None
         return name, form_factor(source, receiver), found
