@@ -16,8 +16,8 @@ Made by `scripts/measure_accuracy.py`; do not edit. Tool: `build/host/fixrad` of
 A figure is the difference between mean radiosities of faces and the path-traced truth, in per cent, over the faces that
 do not emit (all, where all do): **mean** is weighted by area, **worst** is the worst face of those with at least a tenth
 of the scene's mean radiosity. Each scene is baked on three meshes, with the number of elements that the profile takes by
-itself and with a tenth less and more (other numbers where the same mesh would result), and three figures are given: a single
-mesh may be lucky. A scene holds its bar if every mesh does.
+itself and with a tenth less and more (other numbers where the same mesh would result), and three figures are given: a
+single mesh may be lucky. A scene holds its bar if every mesh does.
 
     build/host/fixrad truth SCENE --csv FILE
     build/host/fixrad bake SCENE --profile PROFILE --engine ENGINE [--elements N] --faces-csv FILE
@@ -25,8 +25,8 @@ mesh may be lucky. A scene holds its bar if every mesh does.
     build/host/fixrad compare SCENE --profile PROFILE --json FILE
 
 The scenes are those of [scenes/](../scenes/README.md) and twenty [random rooms](../scripts/random_rooms.py), seeds 1 to
-20, which nobody has looked at to choose a setting. The truth has an error of its own, the last column of each table: its standard
-error, in the mean and at the face where it is largest.
+20, which no setting was chosen by. The truth has an error of its own, the last column of each table: its standard error,
+in the mean and at the face where it is largest.
 """
 
 CLOSED_FORMS = """
@@ -52,10 +52,9 @@ where two errors cancel.
 {table}"""
 
 BAKES = """
-## Cost of these bakes
+## Shots and memory
 
-Profile large, default engine and settings. Seconds of the solver alone, on the machine that ran the script, with another
-bake beside it; all other columns are the same everywhere.
+Profile large, default engine and settings, first mesh.
 
 {table}"""
 
@@ -110,15 +109,19 @@ def largest(members, key, digits):
     return f"{per_cent(key(run), digits)} % {scene}"
 
 
+def average(values):
+    return sum(values) / len(values)
+
+
 def count_row(group, profile, members):
     counted = [m for m in members if m.runs]
     beyond = [missed(m, profile) for m in counted]
     total = len(counted)
-    fits = f"{total}" + (f" ({len(members) - total} do not fit)" if total < len(members) else "")
+    fits = f"{total} of {len(members)}"
     has_worst = BARS[profile][1] is not None
     return [profile, bar_text(profile), group, fits, f"**{sum(not b for b in beyond)} of {total}**",
             f"{sum('mean' not in b for b in beyond)}", f"{sum('worst' not in b for b in beyond)}" if has_worst else "",
-            largest(counted, lambda r: r.error.mean, 2), largest(counted, lambda r: r.error.worst, 1)]
+            f"{per_cent(average([r.error.mean for m in counted for r in m.runs]), 2)} %", largest(counted, lambda r: r.error.mean, 2), largest(counted, lambda r: r.error.worst, 1)]
 
 
 def summary(found):
@@ -126,7 +129,8 @@ def summary(found):
     rows = [count_row(group, profile, found["results"][group, default, profile])
             for profile in PROFILES for group in found["groups"] if (group, default, profile) in found["results"]]
     text = f"\n## Summary\n\nDefault engine, `{default}`:\n\n"
-    text += table(["profile", "bar", "scenes", "number", "hold", "mean holds", "worst holds", "largest mean", "largest worst face"], rows)
+    text += table(["profile", "bar", "scenes", "fit", "hold", "mean holds", "worst holds", "average mean", "largest mean",
+                          "largest worst face"], rows)
     pairs = found["pairs"]
     text += "\nForm factors of closed-form pairs within " + f"{100 * PAIR_BAR:g} %: "
     text += ", ".join(f"`{e}` {sum(is_within(row, e) for row in pairs)} of {len(pairs)}" for e in found["engines"]) + ".\n"
@@ -143,7 +147,7 @@ def engine_summary(found):
                 cells.append("not measured")
                 continue
             members = [m for m in found["results"][group, engine, profile] if m.runs]
-            mean = sum(m.runs[0].error.mean for m in members) / len(members) if members else 0
+            mean = average([m.runs[0].error.mean for m in members]) if members else 0
             cells.append(f"{per_cent(mean, 2)} % ({sum(not missed(m, profile) for m in members)} of {len(members)})" if members else "none")
         rows.append([f"`{engine}`", *cells])
     return table(["engine", *(f"{group}, {profile}" for group, profile in columns)], rows)
@@ -186,7 +190,7 @@ def engine_table(found, group, profile):
             if not m.runs:
                 cells.append("—")
                 continue
-            mean = sum(r.error.mean for r in m.runs) / len(m.runs)
+            mean = average([r.error.mean for r in m.runs])
             text = f"{per_cent(mean, 2)} / {per_cent(max(r.error.worst for r in m.runs), 1)}"
             cells.append(text if not missed(m, profile) else f"*{text}*")
         rows.append([members[0].scene, *cells])
@@ -224,8 +228,8 @@ def bake_table(members):
     for m in members:
         for r in (run.record for run in m.runs[:1]):
             rows.append([m.scene, str(r["faces"]), str(r["channels"]), "yes" if r["closed"] else "no", str(r["elements"]),
-                         str(r["shots"]), str(r["eyes"]), str(r["ram_bytes"]), str(r["rom_bytes"]), f"{r['seconds']:.2f}"])
-    header = ["scene", "faces", "channels", "closed", "elements", "shots", "eyes", "RAM bytes", "flash bytes", "seconds"]
+                         str(r["shots"]), str(r["eyes"]), str(r["ram_bytes"]), str(r["rom_bytes"])])
+    header = ["scene", "faces", "channels", "closed", "elements", "shots", "eyes", "RAM bytes", "flash bytes"]
     return table(header, rows, right=header[1:3] + header[4:])
 
 

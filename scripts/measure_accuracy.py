@@ -44,7 +44,7 @@ SLOW_ENGINES = ("rays",)
 SLOW_PROFILES = ("small",)
 MESHES = 3
 # Of the elements that a profile takes by itself; those after the third stand in where two give the same mesh.
-MESH_FACTORS = (1, 0.9, 1.1, 0.8, 1.2, 0.7)
+MESH_FACTORS = (1, 0.9, 1.1, 0.8, 1.2, 0.7, 1.4, 1.6)
 DOES_NOT_FIT = "does not fit"
 ANGLES = (0, 18, 36, 54, 72)
 SAMPLES, ROOMS, TURNED = "sample scenes", "random rooms", "Cornell turned"
