@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The text of docs/accuracy.md from what measure_accuracy.py has found."""
 
-from collections import Counter
-
 # What face means must keep to: mean over all faces, worst face; None: no bar.
 BARS = {"large": (0.005, 0.05), "small": (0.01, 0.15), "tiny": (0.025, None)}
 PAIR_BAR = 0.001
@@ -155,7 +153,7 @@ def engine_summary(found):
 
 def is_within(row, engine):
     _, expected, results = row
-    return results[engine] is not None and abs(results[engine] / expected - 1) <= PAIR_BAR
+    return not isinstance(results[engine], str) and abs(results[engine] / expected - 1) <= PAIR_BAR
 
 
 def pair_table(found):
@@ -164,13 +162,13 @@ def pair_table(found):
         name, expected, results = row
         cells = []
         for engine in found["engines"]:
-            if results[engine] is None:
+            if isinstance(results[engine], str):
                 cells.append("refused")
                 continue
             text = f"{results[engine]:.6f}, {100 * (results[engine] / expected - 1):+.3f}"
             cells.append(text if is_within(row, engine) else f"**{text}**")
         rows.append([name, f"{expected:.6f}", *cells])
-    return table(["pair", "expected", *(f"`{e}`" for e in found["engines"])], rows)
+    return table(["pair", "expected", *(f"`{e}`" for e in found["engines"])], rows) + pair_refusals(found)
 
 
 def case_table(found):
@@ -200,13 +198,21 @@ def engine_table(found, group, profile):
 
 
 def refusals(found):
-    """Why a scene is missing, once a reason."""
-    reasons = Counter()
+    """Which scenes are missing, once for each engine, profile and reason; a reason's figures are left out."""
+    scenes = {}
     for (_, engine, profile), members in found["results"].items():
         for m in members:
             if not m.runs:
-                reasons[f"`{engine}`, profile {profile}, {m.scene}: {m.refusal}"] += 1
-    return "".join(f"- {reason}\n" for reason in reasons)
+                scenes.setdefault((engine, profile, m.refusal.split(":")[0]), []).append(m.scene)
+    return "".join(f"- `{engine}`, profile {profile}: {reason}: {', '.join(names)}\n"
+                   for (engine, profile, reason), names in scenes.items())
+
+
+def pair_refusals(found):
+    """What the tool said of the pairs that it refused."""
+    said = sorted({f"{name}: {result}" for name, _, results in found["pairs"] for result in results.values()
+                   if isinstance(result, str)})
+    return "".join(f"\nRefused: {line}.\n" for line in said)
 
 
 def budget_table(first_column, records):

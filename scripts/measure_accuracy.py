@@ -189,7 +189,7 @@ def mesh_count(group, engine):
 
 
 def measure_pairs(tool, engines, pool):
-    """Rows of (name, expected, {engine: form factor or None})."""
+    """Rows of (name, expected, {engine: form factor, or why there is none})."""
     def measure(case):
         number, (name, source, receiver) = case
         scene = write_scene(tool.folder, f"pair_{number}", [("grey", source), ("grey", receiver)], {"grey": (0.5, 1)})
@@ -197,8 +197,8 @@ def measure_pairs(tool, engines, pool):
         for engine in engines:
             try:
                 found[engine] = tool.form_factor(scene, engine)
-            except Refusal:
-                found[engine] = None
+            except Refusal as refusal:
+                found[engine] = str(refusal)
         return name, form_factor(source, receiver), found
 
     return list(pool.map(measure, enumerate(pairs())))
