@@ -27,6 +27,13 @@ The scenes are those of [scenes/](../scenes/README.md) and twenty [random rooms]
 in the mean and at the face where it is largest.
 """
 
+ENGINES = """
+## Engines
+
+*Mean / worst* in per cent; sample scenes: mean of the meshes and worst of all; random rooms: one mesh of all but the
+default engine. Entries in *italics* are beyond the profile's bar, — is not taken.
+"""
+
 CLOSED_FORMS = """
 ## Closed forms
 
@@ -119,7 +126,8 @@ def count_row(group, profile, members):
     has_worst = BARS[profile][1] is not None
     return [profile, bar_text(profile), group, fits, f"**{sum(not b for b in beyond)} of {total}**",
             f"{sum('mean' not in b for b in beyond)}", f"{sum('worst' not in b for b in beyond)}" if has_worst else "",
-            f"{per_cent(average([r.error.mean for m in counted for r in m.runs]), 2)} %", largest(counted, lambda r: r.error.mean, 2), largest(counted, lambda r: r.error.worst, 1)]
+            f"{per_cent(average([r.error.mean for m in counted for r in m.runs]), 2)} %",
+            largest(counted, lambda r: r.error.mean, 2), largest(counted, lambda r: r.error.worst, 1)]
 
 
 def summary(found):
@@ -132,7 +140,8 @@ def summary(found):
     pairs = found["pairs"]
     text += "\nForm factors of closed-form pairs within " + f"{100 * PAIR_BAR:g} %: "
     text += ", ".join(f"`{e}` {sum(is_within(row, e) for row in pairs)} of {len(pairs)}" for e in found["engines"]) + ".\n"
-    return text + "\nAll engines, mean error over the scenes that each takes, first mesh; in brackets, scenes that hold their bar:\n\n" + engine_summary(found)
+    text += "\nAll engines, average of the mean errors of the scenes that each takes, first mesh; in brackets, the scenes that "
+    return text + "hold their bar:\n\n" + engine_summary(found)
 
 
 def engine_summary(found):
@@ -146,7 +155,8 @@ def engine_summary(found):
                 continue
             members = [m for m in found["results"][group, engine, profile] if m.runs]
             mean = average([m.runs[0].error.mean for m in members]) if members else 0
-            cells.append(f"{per_cent(mean, 2)} % ({sum(not missed(m, profile) for m in members)} of {len(members)})" if members else "none")
+            holding = sum(not missed(m, profile) for m in members)
+            cells.append(f"{per_cent(mean, 2)} % ({holding} of {len(members)})" if members else "none")
         rows.append([f"`{engine}`", *cells])
     return table(["engine", *(f"{group}, {profile}" for group, profile in columns)], rows)
 
@@ -224,7 +234,7 @@ def budget_table(first_column, records):
             continue
         errors = {e["name"]: e for e in record["errors"]}
         rows.append([name, str(record["elements"]), str(record["resolution"]),
-                     *(f"{per_cent(errors[line]['mean'], 3)} / {per_cent(errors[line]['worst'], 2)}" for line in BUDGET_LINES),
+                     *(f"{per_cent(errors[k]['mean'], 3)} / {per_cent(errors[k]['worst'], 2)}" for k in BUDGET_LINES),
                      per_cent(record["truth_standard_error"], 3)])
     return table([first_column, "elements", "R", *(f"{line} %" for line in BUDGET_LINES), "truth ± %"], rows)
 
@@ -242,7 +252,8 @@ def bake_table(members):
 def page(found):
     samples, rooms, turned = found["groups"]
     default, results = found["engines"][0], found["results"]
-    text = HEAD + summary(found) + CLOSED_FORMS.format(bar=f"{100 * PAIR_BAR:g}", pairs=pair_table(found), cases=case_table(found))
+    text = HEAD + summary(found)
+    text += CLOSED_FORMS.format(bar=f"{100 * PAIR_BAR:g}", pairs=pair_table(found), cases=case_table(found))
     for group, title in ((samples, "Sample scenes"), (rooms, "Random rooms"), (turned, "Cornell turned")):
         text += f"\n## {title}\n"
         if group == turned:
@@ -251,8 +262,7 @@ def page(found):
             if (group, default, profile) in results:
                 text += f"\n### {title}, profile {profile}: {bar_text(profile)}\n\n"
                 text += scene_table(results[group, default, profile], profile, found["uncertainty"])
-    text += "\n## Engines\n\n*Mean / worst* in per cent; sample scenes: mean of the meshes and worst of all; random rooms: one mesh "
-    text += "of all but the default engine. Entries in *italics* are beyond the profile's bar, — is not taken.\n"
+    text += ENGINES
     for group, title in ((samples, "Sample scenes"), (rooms, "Random rooms")):
         for profile in PROFILES[:2]:
             text += f"\n### {title}, all engines, profile {profile}\n\n" + engine_table(found, group, profile)

@@ -173,7 +173,8 @@ def radiosity_cases():
     plates = {"emitter": (0, 1), "reflector": (0.5, 0)}
     cube = {"lamp": (0.5, 1), "wall": (0.5, 0)}
     inside = ("furnace",) * 3
-    yield RadiosityCase("furnace: cube, ρ = 0.5", "B = E/(1 − ρ) on each face", 2, farthest_from(2), box(1, 1, 1, inside), furnace)
+    yield RadiosityCase("furnace: cube, ρ = 0.5", "B = E/(1 − ρ) on each face", 2, farthest_from(2),
+                        box(1, 1, 1, inside), furnace)
     yield RadiosityCase("furnace: box 4 × 2 × 1, ρ = 0.9", "B = E/(1 − ρ) on each face", 10, farthest_from(10),
                         box(4, 2, 1, inside), white)
     for name, corners in (("parallel unit squares, 1 apart", rectangle((0, 1, 0), (1, 0, 0), (0, 0, 1))),
@@ -183,6 +184,7 @@ def radiosity_cases():
     yield RadiosityCase("cube, its ceiling emits, ρ = 0.5", "mean of all B = mean of all E/(1 − ρ)", 1 / 3, area_mean,
                         box(1, 1, 1, ("lamp", "wall", "wall")), cube)
     yield RadiosityCase("box 4 × 2 × 1, its ceiling emits, ρ = 0.9", "mean of all B = mean of all E/(1 − ρ)",
-                        4 / 28 / 0.1, area_mean, box(4, 2, 1, ("lamp", "wall", "wall")), {"lamp": (0.9, 1), "wall": (0.9, 0)})
+                        4 / 28 / 0.1, area_mean, box(4, 2, 1, ("lamp", "wall", "wall")),
+                        {"lamp": (0.9, 1), "wall": (0.9, 0)})
     yield RadiosityCase("cube of six elements, its ceiling emits: floor", "6 × 6 system", six_element_cube(0.5),
                         lambda rows: rows[1]["b"][0], box(1, 1, 1, ("lamp", "wall", "wall")), cube, ("--elements", "6"))

@@ -85,7 +85,8 @@ class Tool:
         self.digest = hashlib.sha256(path.read_bytes())
 
     def __call__(self, *arguments):
-        done = subprocess.run([self.path, *map(str, arguments), "--quiet"], cwd=ROOT, capture_output=True, text=True, check=False)
+        done = subprocess.run([self.path, *map(str, arguments), "--quiet"], cwd=ROOT, capture_output=True, text=True,
+                              check=False)
         if done.returncode == 1 and "error: " in done.stderr:
             raise Refusal(done.stderr.strip().split("error: ", 1)[1])
         if done.returncode != 0:
@@ -102,7 +103,8 @@ class Tool:
         stem = f"{command}_{pathlib.Path(scene).stem}_{key.hexdigest()[:16]}"
         paths = [self.folder / (stem + suffix) for _, suffix in outputs]
         if not all(path.exists() for path in paths):
-            self(command, scene, *options, *(word for (option, _), path in zip(outputs, paths) for word in (option, path)))
+            written = [word for (option, _), path in zip(outputs, paths) for word in (option, path)]
+            self(command, scene, *options, *written)
             print(command, scene, *options, file=sys.stderr)
         return paths
 
@@ -248,7 +250,8 @@ def measure(tool, pool):
     results = {key: list(values) for key, values in wanted.items()}
     budget = {name: tool.compare(path, BUDGET_PROFILE) for name, path in groups[SAMPLES].items()}
     shown = {profile: tool.compare(SHOWN, profile) for profile in SHOWN_PROFILES}
-    return {"engines": engines, "groups": (SAMPLES, ROOMS, TURNED), "results": results, "uncertainty": {n: uncertainty_of(t) for n, t in truths.items()},
+    return {"engines": engines, "groups": (SAMPLES, ROOMS, TURNED), "results": results,
+            "uncertainty": {n: uncertainty_of(t) for n, t in truths.items()},
             "pairs": pair_rows, "cases": case_rows, "budget": budget, "shown": shown}
 
 
@@ -267,7 +270,8 @@ def main():
                 tool("bake", f"scenes/{name}.obj", "-o", f"docs/images/{name}.png")
             memory = "```\n" + tool("info", SHOWN).split("\n\n", 1)[1].rstrip("\n") + "\n```\n"
         write(ROOT / "docs/accuracy.md", accuracy_page.page(found))
-        replace_generated(ROOT / "README.md", {"memory": memory, "accuracy": accuracy_page.budget_table("profile", found["shown"])})
+        replace_generated(ROOT / "README.md",
+                          {"memory": memory, "accuracy": accuracy_page.budget_table("profile", found["shown"])})
     except (Failure, Refusal, OSError) as error:
         sys.exit(f"measure_accuracy: {error}")
 
