@@ -1,125 +1,219 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Measure the error budget of the sample scenes and write it where readers look: docs/accuracy.md as a whole, and
-the passages of README.md that stand between <!-- generated: NAME --> and <!-- end generated -->. Bakes the pictures
-in docs/images/ too.
+"""Measure how far the tool is from the truth, and write it where readers look: docs/accuracy.md as a whole, and the
+passages of README.md that stand between <!-- generated: NAME --> and <!-- end generated -->. Bakes the pictures in
+docs/images/ too. Every engine that the tool knows, every scene of scenes/ and twenty random rooms, on three meshes.
 
-    scripts/measure_accuracy.py                       everything, with build/host/fixrad; some minutes
-    scripts/measure_accuracy.py --tool PATH           another build of the tool
-    scripts/measure_accuracy.py --profiles tiny,large other profiles for the table of all scenes
+    scripts/measure_accuracy.py                everything, with build/host/fixrad; up to ten minutes on two cores
+    scripts/measure_accuracy.py --tool PATH    another build of the tool
+    scripts/measure_accuracy.py --work FOLDER  keep there what the tool writes, and run no command again whose result
+                                               is there (of the same tool, scene and options)
 """
 
 import argparse
 import concurrent.futures
+import hashlib
+import itertools
 import json
+import math
+import os
 import pathlib
 import re
 import subprocess
 import sys
 import tempfile
+from dataclasses import dataclass
+
+sys.dont_write_bytecode = True  # leaves nothing behind in scripts/
+
+import accuracy_page
+from closed_forms import form_factor, pairs, radiosity_cases, write_scene
+from face_errors import error_of, read_faces, uncertainty_of
+from random_rooms import write_rooms
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-LINES = ("arithmetic", "form factors", "mesh", "total")
 SHOWN = "scenes/cornell.obj"  # the scene of the README's tables
 SHOWN_PROFILES = ("tiny", "small", "medium", "large")
+BUDGET_PROFILE = "small"
 PICTURES = ("cornell", "furnished_room")
+DEFAULT_ENGINE = "lunes"
+PROFILES = ("large", "small", "tiny")
+OTHER_PROFILES = ("large", "small")  # of the other engines
+# Rays between all pairs of 2,000 elements take minutes a scene; the page says that this is left out.
+SLOW_ENGINES = ("rays",)
+SLOW_PROFILES = ("small",)
+MESHES = 3
+# Of the elements that a profile takes by itself; those after the third stand in where two give the same mesh.
+MESH_FACTORS = (1, 0.9, 1.1, 0.8, 1.2, 0.7, 1.4, 1.6)
 DOES_NOT_FIT = "does not fit"
-
-HEAD = """# Accuracy
-
-Made by `scripts/measure_accuracy.py`; do not edit. Tool: `build/host/fixrad` of the same tree.
-
-Commands, for each scene and profile:
-
-    build/host/fixrad compare SCENE --profile PROFILE --json FILE
-    build/host/fixrad bake SCENE -o FILE.json
-
-## Error budget
-
-Each entry is *mean / worst* in per cent. *Arithmetic*: the integer core against the same shots in double, element
-radiosity, over the scene's mean radiosity. The others compare mean radiosities of faces that do not emit: *mean*
-weighted by area, *worst* of the faces that have at least a tenth of the mean radiosity. *Form factors*: those shots in
-double against accurate form factors on the same mesh. *Mesh*: accurate form factors on that mesh against the truth.
-*Total*: the integer core against the truth. The lines are sizes of differences, so they need not add up, and *total*
-may be below *mesh* where two errors cancel. The truth is path traced; its standard error, at most, is the last column:
-a figure below it says only that the error is not larger than that.
-"""
-
-BAKE_HEAD = """
-## Baking time
-
-`build/host/fixrad bake SCENE` with default settings (profile large), one after another. The seconds are those of the
-solver alone, on the machine that ran the script; all other columns are the same everywhere.
-"""
+ANGLES = (0, 18, 36, 54, 72)
+SAMPLES, ROOMS, TURNED = "sample scenes", "random rooms", "Cornell turned"
+TURNED_PROFILES = ("small",)
 
 
 class Failure(Exception):
     """A command ended as it should not."""
 
 
-def run(tool, *arguments):
-    """Output of the tool; DOES_NOT_FIT if that is what it says; Failure for any other error."""
-    done = subprocess.run([tool, *arguments], cwd=ROOT, capture_output=True, text=True, check=False)
-    if done.returncode == 1 and DOES_NOT_FIT in done.stderr:
-        return DOES_NOT_FIT
-    if done.returncode != 0:
-        raise Failure(f"{tool} {' '.join(arguments)}: exit code {done.returncode}\n{done.stderr}")
-    return done.stdout
+class Refusal(Exception):
+    """The tool says that it cannot take a scene; the text is its reason."""
 
 
-def compare(tool, scene, profile):
-    """The JSON record of `compare`, or None where the scene does not fit the profile."""
-    with tempfile.TemporaryDirectory() as folder:
-        file = pathlib.Path(folder) / "budget.json"
-        output = run(tool, "compare", scene, "--profile", profile, "--quiet", "--json", str(file))
-        print(f"compared {scene}, {profile}", file=sys.stderr)
-        return None if output == DOES_NOT_FIT else json.loads(file.read_text())
+@dataclass
+class Run:
+    """One bake against the truth."""
+
+    elements: int
+    error: object
+    record: dict
 
 
-def bake(tool, scene):
-    with tempfile.TemporaryDirectory() as folder:
-        file = pathlib.Path(folder) / "bake.json"
-        run(tool, "bake", scene, "--quiet", "-o", str(file))
-        return json.loads(file.read_text())
+@dataclass
+class Measured:
+    """A scene on several meshes, or the reason why there is none."""
+
+    scene: str
+    runs: list
+    refusal: str = ""
 
 
-def error_of(record, name):
-    return next(e for e in record["errors"] if e["name"] == name)
+class Tool:
+    """The tool, and the folder that keeps what it has written: the same command is not run twice."""
+
+    def __init__(self, path, folder):
+        self.path, self.folder = path, folder
+        self.digest = hashlib.sha256(path.read_bytes())
+
+    def __call__(self, *arguments):
+        done = subprocess.run([self.path, *map(str, arguments), "--quiet"], cwd=ROOT, capture_output=True, text=True,
+                              check=False)
+        if done.returncode == 1 and "error: " in done.stderr:
+            raise Refusal(done.stderr.strip().split("error: ", 1)[1])
+        if done.returncode != 0:
+            raise Failure(f"{self.path} {' '.join(map(str, arguments))}: exit code {done.returncode}\n{done.stderr}")
+        return done.stdout
+
+    def files(self, command, scene, outputs, *options):
+        """Paths of what the command writes; outputs: [(option, suffix)]. Files appear complete or not at all."""
+        key = self.digest.copy()
+        for part in (command, *map(str, options)):
+            key.update(part.encode() + b"\0")
+        for path in (ROOT / scene, (ROOT / scene).with_suffix(".mtl")):
+            key.update(path.read_bytes() if path.exists() else b"")
+        stem = f"{command}_{pathlib.Path(scene).stem}_{key.hexdigest()[:16]}"
+        paths = [self.folder / (stem + suffix) for _, suffix in outputs]
+        if not all(path.exists() for path in paths):
+            written = [word for (option, _), path in zip(outputs, paths) for word in (option, path)]
+            self(command, scene, *options, *written)
+            print(command, scene, *options, file=sys.stderr)
+        return paths
+
+    def engines(self):
+        """From the tool itself, so that none is forgotten; the default first."""
+        found = re.search(r"--engine TEXT:\{([a-z,]+)\}", self("bake", "--help"))
+        if not found or DEFAULT_ENGINE not in found[1].split(","):
+            raise Failure(f"{self.path} bake --help: no list of engines with {DEFAULT_ENGINE}")
+        return sorted(found[1].split(","), key=lambda name: (name != DEFAULT_ENGINE, name))
+
+    def truth(self, scene):
+        return read_faces(self.files("truth", scene, [("--csv", ".csv")])[0])
+
+    def bake(self, scene, *options):
+        """(faces, record)"""
+        faces, record = self.files("bake", scene, [("--faces-csv", ".csv"), ("-o", ".json")], *options)
+        return read_faces(faces), json.loads(record.read_text())
+
+    def form_factor(self, scene, engine):
+        """From the first face to the second."""
+        path = self.files("form-factors", scene, [("--csv", ".csv")], "--engine", engine)[0]
+        factors = dict(line.rsplit(",", 1) for line in path.read_text().splitlines())
+        return float(factors.get("0,1", 0))
+
+    def compare(self, scene, profile):
+        """The record of `compare`, or None where the scene does not fit."""
+        try:
+            return json.loads(self.files("compare", scene, [("--json", ".json")], "--profile", profile)[0].read_text())
+        except Refusal as refusal:
+            if DOES_NOT_FIT not in str(refusal):
+                raise
+            return None
 
 
-def budget_cells(record):
-    cells = [str(record["elements"]), str(record["resolution"])]
-    for name in LINES:
-        error = error_of(record, name)
-        cells.append(f"{100 * error['mean']:.3f} / {100 * error['worst']:.2f}")
-    return cells + [f"{100 * record['truth_standard_error']:.3f}"]
+def measure_scene(tool, name, scene, truth, engine, profile, meshes=MESHES):
+    """Bakes on meshes of nearly the same size until there are enough that differ."""
+    runs, count = [], None
+    for factor in MESH_FACTORS:
+        options = ["--engine", engine, "--profile", profile]
+        if count:
+            options += ["--elements", math.floor(count * factor)]
+        try:
+            faces, record = tool.bake(scene, *options)
+        except Refusal as refusal:
+            if not runs:
+                return Measured(name, [], re.sub(r"^.*?the scene", "the scene", str(refusal)))
+            continue  # fewer elements than faces
+        count = count or record["elements"]
+        if record["elements"] not in [r.elements for r in runs]:
+            runs.append(Run(record["elements"], error_of(faces, truth), record))
+        if len(runs) == meshes:
+            break
+    return Measured(name, runs)
 
 
-def table(header, rows):
-    lines = [header, ["---"] * len(header), *rows]
-    return "".join("| " + " | ".join(line) + " |\n" for line in lines)
+def turned(scene, angle, folder):
+    """The scene turned about the vertical axis, beside a copy of its materials."""
+    c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+
+    def turn(line):
+        word, x, y, z = line.split()[:4]
+        return f"{word} {c * float(x) + s * float(z):.9f} {y} {c * float(z) - s * float(x):.9f}"
+
+    source = ROOT / scene
+    lines = [turn(line) if line.startswith("v ") else line for line in source.read_text().splitlines()]
+    path = folder / f"{source.stem}_{angle}.obj"
+    path.write_text("\n".join(lines) + "\n")
+    for library in source.parent.glob(source.stem + ".mtl"):
+        (folder / library.name).write_bytes(library.read_bytes())
+    return path
 
 
-def budget_table(first_column, records):
-    """records: pairs of a row's name cells and its record or None."""
-    header = [*first_column, "elements", "R", *(f"{name} %" for name in LINES), "truth ± %"]
-    misfit = ["does not fit"] + [""] * (len(LINES) + 2)
-    return table(header, [[*names, *(budget_cells(r) if r else misfit)] for names, r in records])
+def profiles_of(group, engine):
+    if group == TURNED:
+        return TURNED_PROFILES if engine == DEFAULT_ENGINE else ()
+    if engine in SLOW_ENGINES:
+        return SLOW_PROFILES
+    return PROFILES if engine == DEFAULT_ENGINE else OTHER_PROFILES
 
 
-def bake_table(records):
-    header = ["scene", "faces", "channels", "closed", "elements", "shots", "eyes", "RAM bytes", "flash bytes",
-              "seconds"]
-    rows = []
-    for scene, r in records:
-        rows.append([scene, str(r["faces"]), str(r["channels"]), "yes" if r["closed"] else "no", str(r["elements"]),
-                     str(r["shots"]), str(r["eyes"]), str(r["ram_bytes"]), str(r["rom_bytes"]), f"{r['seconds']:.2f}"])
-    return table(header, rows)
+def mesh_count(group, engine):
+    """Random rooms are many: of the engines that are not the default they take one mesh."""
+    return MESHES if engine == DEFAULT_ENGINE or group == SAMPLES else 1
 
 
-def memory_table(tool):
-    """The table of `fixrad info`, which follows the only empty line of its output."""
-    return "```\n" + run(tool, "info", SHOWN, "--quiet").split("\n\n", 1)[1].rstrip("\n") + "\n```\n"
+def measure_pairs(tool, engines, pool):
+    """Rows of (name, expected, {engine: form factor, or why there is none})."""
+    def measure(case):
+        number, (name, source, receiver) = case
+        scene = write_scene(tool.folder, f"pair_{number}", [("grey", source), ("grey", receiver)], {"grey": (0.5, 1)})
+        found = {}
+        for engine in engines:
+            try:
+                found[engine] = tool.form_factor(scene, engine)
+            except Refusal as refusal:
+                found[engine] = str(refusal)
+        return name, form_factor(source, receiver), found
+
+    return list(pool.map(measure, enumerate(pairs())))
+
+
+def measure_radiosities(tool, pool):
+    """Rows of (case, {profile: radiosity})."""
+    def measure(numbered):
+        number, case = numbered
+        scene = write_scene(tool.folder, f"case_{number}", case.faces, case.materials)
+        return case, {p: case.value(tool.bake(scene, "--profile", p, *case.options)[0]) for p in PROFILES}
+
+    return list(pool.map(measure, enumerate(radiosity_cases())))
 
 
 def replace_generated(path, passages):
@@ -139,33 +233,46 @@ def write(path, text):
     temporary.rename(path)
 
 
-def measure(tool, profiles):
-    scenes = sorted(str(p.relative_to(ROOT)) for p in (ROOT / "scenes").glob("*.obj"))
-    wanted = [(s, p) for s in scenes for p in profiles]
-    wanted += [(SHOWN, p) for p in SHOWN_PROFILES if (SHOWN, p) not in wanted]
-    # Two at a time: some parts of a comparison use one core only. Its times are not written down.
-    with concurrent.futures.ThreadPoolExecutor(max_workers=2) as pool:
-        compared = dict(zip(wanted, pool.map(lambda w: compare(tool, *w), wanted)))
-    for name in PICTURES:
-        run(tool, "bake", f"scenes/{name}.obj", "--quiet", "-o", f"docs/images/{name}.png")
-    bakes = [(pathlib.Path(s).stem, bake(tool, s)) for s in scenes]
-    page = HEAD
-    for profile in profiles:
-        rows = [([pathlib.Path(s).stem], compared[s, profile]) for s in scenes]
-        page += f"\n### Profile {profile}\n\n" + budget_table(["scene"], rows)
-    write(ROOT / "docs/accuracy.md", page + BAKE_HEAD + "\n" + bake_table(bakes))
-    shown = [([p], compared[SHOWN, p]) for p in SHOWN_PROFILES]
-    replace_generated(ROOT / "README.md", {"memory": memory_table(tool), "accuracy": budget_table(["profile"], shown)})
+def measure(tool, pool):
+    engines = tool.engines()
+    groups = {SAMPLES: {p.stem: p for p in sorted((ROOT / "scenes").glob("*.obj"))},
+              ROOMS: {p.stem: p for p in write_rooms(tool.folder)}}
+    scenes = {name: path for group in groups.values() for name, path in group.items()}
+    truths = {name: tool.truth(path) for name, path in scenes.items()}
+    cornell = pathlib.Path(SHOWN).stem
+    groups[TURNED] = {f"{cornell}, {a}°": turned(SHOWN, a, tool.folder) for a in ANGLES}
+    truths.update({name: truths[cornell] for name in groups[TURNED]})
+    wanted = {(group, engine, profile): pool.map(
+        measure_scene, itertools.repeat(tool), members, members.values(), [truths[name] for name in members],
+        itertools.repeat(engine), itertools.repeat(profile), itertools.repeat(mesh_count(group, engine)))
+              for group, members in groups.items() for engine in engines for profile in profiles_of(group, engine)}
+    pair_rows, case_rows = measure_pairs(tool, engines, pool), measure_radiosities(tool, pool)
+    results = {key: list(values) for key, values in wanted.items()}
+    budget = {name: tool.compare(path, BUDGET_PROFILE) for name, path in groups[SAMPLES].items()}
+    shown = {profile: tool.compare(SHOWN, profile) for profile in SHOWN_PROFILES}
+    return {"engines": engines, "groups": (SAMPLES, ROOMS, TURNED), "results": results,
+            "uncertainty": {n: uncertainty_of(t) for n, t in truths.items()},
+            "pairs": pair_rows, "cases": case_rows, "budget": budget, "shown": shown}
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--tool", default=str(ROOT / "build/host/fixrad"))
-    parser.add_argument("--profiles", default="small,large", help="of the table of all scenes")
+    parser.add_argument("--tool", type=pathlib.Path, default=ROOT / "build/host/fixrad")
+    parser.add_argument("--work", type=pathlib.Path)
     arguments = parser.parse_args()
     try:
-        measure(str(pathlib.Path(arguments.tool).resolve()), arguments.profiles.split(","))
-    except (Failure, OSError) as error:
+        with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            work = (arguments.work or pathlib.Path(folder)).resolve()
+            work.mkdir(parents=True, exist_ok=True)
+            tool = Tool(arguments.tool.resolve(), work)
+            found = measure(tool, pool)
+            for name in PICTURES:
+                tool("bake", f"scenes/{name}.obj", "-o", f"docs/images/{name}.png")
+            memory = "```\n" + tool("info", SHOWN).split("\n\n", 1)[1].rstrip("\n") + "\n```\n"
+        write(ROOT / "docs/accuracy.md", accuracy_page.page(found))
+        replace_generated(ROOT / "README.md",
+                          {"memory": memory, "accuracy": accuracy_page.budget_table("profile", found["shown"])})
+    except (Failure, Refusal, OSError) as error:
         sys.exit(f"measure_accuracy: {error}")
 
 

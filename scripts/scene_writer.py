@@ -107,9 +107,9 @@ def mtl_lines(scene):
     return lines[:-1]
 
 
-def files_of(scene, style="plain"):
-    """{file name: bytes}; style is plain, rich, negative or crlf."""
-    header = [f"# {scene.about}", "# Written by scripts/make_scenes.py; metres, y up, counter-clockwise seen from the lit side.",
+def files_of(scene, style="plain", by="make_scenes.py"):
+    """{file name: bytes}; style is plain, rich, negative or crlf; `by` is the script that asks."""
+    header = [f"# {scene.about}", f"# Written by scripts/{by}; metres, y up, counter-clockwise seen from the lit side.",
               f"mtllib {scene.name}.mtl"]
     lines = rich_obj(scene, header) if style == "rich" else plain_obj(scene, header, style == "negative")
     end = "\r\n" if style == "crlf" else "\n"

@@ -59,6 +59,14 @@ int run(int argc, char** argv) {
   add_solver_options(*factors, options);
   factors->add_option("--csv", options.csv, "File to write: i,j,F")->required();
 
+  CLI::App* truth = app.add_subcommand("truth", "Path-traced mean radiosity of every input face");
+  add_scene_options(*truth, options);
+  truth->add_option("--csv", options.csv, "File to write: face,material,emits,area,B,standard error of B")
+      ->required();
+  truth->add_option("--paths", options.paths, "Paths in all")
+      ->check(CLI::Range(1000u, 1000000000u))
+      ->capture_default_str();
+
   CLI::App* info = app.add_subcommand("info", "What a scene needs and what it costs on each profile");
   add_scene_options(*info, options);
   add_solver_options(*info, options);
@@ -80,6 +88,9 @@ int run(int argc, char** argv) {
   }
   if (exported->parsed()) {
     return run_export(options);
+  }
+  if (truth->parsed()) {
+    return run_truth(options);
   }
   return factors->parsed() ? run_form_factors(options) : run_info(options);
 }

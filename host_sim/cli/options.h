@@ -27,6 +27,7 @@ struct CommonOptions {
   std::string faces_csv;
   std::string json;
   std::string csv;
+  std::uint32_t paths = 4000000;  ///< of the path-traced truth
 };
 
 /// Adds the scene argument and the options on reading it.
@@ -44,5 +45,6 @@ int run_compare(const CommonOptions& options);
 int run_export(const CommonOptions& options);
 int run_form_factors(const CommonOptions& options);
 int run_info(const CommonOptions& options);
+int run_truth(const CommonOptions& options);
 
 }  // namespace fixrad::host

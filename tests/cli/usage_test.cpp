@@ -45,7 +45,7 @@ TEST(Usage, ValuesOutOfRangeAreUsageErrors) {
 TEST(Usage, HelpNamesTheSubcommandsAndSucceeds) {
   const Outcome run = run_tool({"--help"});
   EXPECT_EQ(run.exit_code, 0);
-  for (const char* name : {"bake", "compare", "export", "form-factors", "info"}) {
+  for (const char* name : {"bake", "compare", "export", "form-factors", "info", "truth"}) {
     EXPECT_THAT(run.out, HasSubstr(name));
   }
 }
