@@ -38,6 +38,12 @@ Status lune_rows(const Scene& scene, const DeltaTable& table, const EyeSample& s
 Status hemicube_pixels(const Scene& scene, const DeltaTable& table, const EyeSample& sample, Workspace& work,
                        FormFactorRow& row);
 
+/// Lambert's contour formula to every element: the closed form, for scenes where nothing stands between two
+/// faces; what hides another is not noticed. Both then count, a row that passes 1 is cut, and elements late in
+/// the tables vanish. The table is not read. Cost: a clip and 5 corners of contour_factor() an element.
+Status contour_row(const Scene& scene, const DeltaTable& table, const EyeSample& sample, Workspace& work,
+                   FormFactorRow& row);
+
 /// Fraction of a hemicube's top, or of all lunes, UQ12.20, that is hidden: the nearest face shows its back,
 /// or, where `nothing_hides`, there is no face at all (from inside an enclosed scene: the eye lies behind a
 /// wall). More than half: the eye is buried. The top alone, since what buries an eye stands over it. Cost: R
