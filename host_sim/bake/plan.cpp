@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "host_sim/bake/bake.h"
+#include "host_sim/bake/occlusion.h"
 
 namespace fixrad::host {
 namespace {
@@ -22,13 +23,33 @@ std::uint32_t wanted_patches(const Profile& profile, std::uint32_t faces, std::u
   return shoots_itself ? elements : std::min(elements, std::max(profile.patches, faces * 4));
 }
 
+constexpr int kRays = 16;  // a pair
+
+bool is_hemicube(const std::string& engine) {
+  return engine == "rows" || engine == "pixels";
+}
+
+int default_resolution(const std::string& engine, const Profile& profile) {
+  return engine == "rays" ? kRays : (is_hemicube(engine) ? profile.hemicube : profile.lunes);
+}
+
+Engine engine_named(const std::string& name) {
+  if (name == "rays") {
+    return ray_row;
+  }
+  if (name == "contour") {
+    return contour_row;
+  }
+  return name == "pixels" ? hemicube_pixels : (name == "rows" ? hemicube_rows : lune_rows);
+}
+
 BakePlan plan_for(const PreparedScene& scene, const BakeOptions& options, const Profile& profile,
                   std::uint32_t elements) {
   const auto faces = static_cast<std::uint32_t>(scene.faces.size());
   const bool is_gathering = options.solver == "gathering";
   BakePlan plan;
   plan.profile = profile;
-  plan.resolution = options.resolution.value_or(options.engine == "lunes" ? profile.lunes : profile.hemicube);
+  plan.resolution = options.resolution.value_or(default_resolution(options.engine, profile));
   const std::uint32_t patches = is_gathering ? elements : wanted_patches(profile, faces, elements);
   plan.meshing = make_uniform(scene, elements, patches);
   // Where elements are grouped the pool does not shrink with the mesh: a further element costs its own bytes
@@ -56,9 +77,30 @@ std::string does_not_fit(const PreparedScene& scene, const BakePlan& plan) {
          "; use a larger --profile or a simpler scene";
 }
 
+int line_of_face(const PreparedScene& scene, std::uint32_t face) {
+  return scene.model->faces[scene.faces[face].parts.front().input_face].line;
+}
+
+void refuse_occlusion(const PreparedScene& scene) {
+  if (const auto found = find_occlusion(scene)) {
+    throw InputError(scene.model->path + ":" + std::to_string(line_of_face(scene, found->blocker)) +
+                     ": error: this face may hide a part of the face of line " +
+                     std::to_string(line_of_face(scene, found->from)) + " from that of line " +
+                     std::to_string(line_of_face(scene, found->to)) +
+                     ", which --engine contour does not notice; use --engine rays or lunes");
+  }
+}
+
 }  // namespace
 
+bool has_resolution(const std::string& engine, int resolution) {
+  return engine == "rays" ? resolution >= 4 && resolution <= 32 : resolution >= 8;
+}
+
 BakePlan make_plan(const PreparedScene& scene, const BakeOptions& options) {
+  if (options.engine == "contour") {
+    refuse_occlusion(scene);
+  }
   const Profile profile = find_profile(options.profile).value();
   const auto faces = static_cast<std::uint32_t>(scene.faces.size());
   std::uint32_t elements =
@@ -87,17 +129,16 @@ Settings make_settings(const BakeOptions& options, const BakePlan& plan) {
     return Fraction::from_raw(static_cast<std::uint32_t>(std::clamp(std::ldexp(a, 32), 0.0, 4294967295.0)));
   };
   Settings settings;
-  if (options.engine == "lunes") {
-    settings.engine = lune_rows;
-    settings.table = lune_table(plan.resolution);
-    // Where elements are grouped, a patch that needs one eye point only is a weak one.
-    settings.coarse = plan.meshing.patch_count < plan.sizes.elements
-                          ? lune_table(std::max(8, plan.resolution / 2))
-                          : nullptr;
-    settings.probe = &kLune4;
-  } else {
-    settings.engine = options.engine == "pixels" ? hemicube_pixels : hemicube_rows;
+  settings.engine = engine_named(options.engine);
+  if (is_hemicube(options.engine)) {
     settings.table = delta_table(plan.resolution);
+  } else {
+    settings.table = plan.resolution == 4 ? &kLune4 : lune_table(plan.resolution);
+    settings.probe = &kLune4;
+  }
+  // Where elements are grouped, a patch that needs one eye point only is a weak one.
+  if (options.engine == "lunes" && plan.meshing.patch_count < plan.sizes.elements) {
+    settings.coarse = lune_table(std::max(8, plan.resolution / 2));
   }
   settings.stop = to_fraction(options.unshot);
   settings.flux_per_eye = to_fraction(options.flux_per_eye);

@@ -62,15 +62,24 @@ void add_solver_options(CLI::App& command, CommonOptions& options) {
       ->check(CLI::IsMember({"tiny", "small", "medium", "large", "host"}))
       ->capture_default_str();
   command.add_option("--engine", bake.engine, "Form factors by")
-      ->check(CLI::IsMember({"pixels", "rows", "lunes"}))
+      ->check(CLI::IsMember({"pixels", "rows", "lunes", "rays", "contour"}))
       ->capture_default_str();
   command.add_option("--solver", bake.solver, "Progressive shooting, or gathering with the full matrix")
       ->check(CLI::IsMember({"shooting", "gathering"}))
       ->capture_default_str();
   command
-      .add_option("--resolution", bake.resolution,
-                  "R, rows over the hemisphere; of a hemicube, pixels along an edge")
-      ->check(CLI::IsMember({8, 16, 32, 64, 128}));
+      .add_option(
+          "--resolution", bake.resolution,
+          "R, rows over the hemisphere, 8 to 128; of a hemicube, pixels along an edge; of rays, 4 to 32 "
+          "a pair")
+      ->check(CLI::IsMember({4, 8, 16, 32, 64, 128}));
+  command.parse_complete_callback([&bake] {
+    if (bake.resolution && !has_resolution(bake.engine, *bake.resolution)) {
+      throw CLI::ValidationError("--resolution", bake.engine == "rays"
+                                                     ? "--engine rays takes 4, 8, 16 or 32 rays a pair"
+                                                     : "--engine " + bake.engine + " takes 8 to 128");
+    }
+  });
   command.add_option("--elements", bake.elements, "At most so many elements")->check(CLI::Range(1u, 60000u));
   command
       .add_option("--unshot", bake.unshot, "Stop when the unshot flux is under this part of the emitted flux")

@@ -2,6 +2,8 @@
 #include "host_sim/report/write_scene.h"
 
 #include <algorithm>
+#include <iterator>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -176,10 +178,17 @@ void append_function(std::string& text, const std::string& type, const std::stri
 }
 
 const char* engine_name(Engine engine) {
-  if (engine == hemicube_rows) {
-    return "fixrad::hemicube_rows";
+  constexpr std::pair<Engine, const char*> kNames[] = {{hemicube_rows, "fixrad::hemicube_rows"},
+                                                       {hemicube_pixels, "fixrad::hemicube_pixels"},
+                                                       {lune_rows, "fixrad::lune_rows"},
+                                                       {ray_row, "fixrad::ray_row"},
+                                                       {contour_row, "fixrad::contour_row"}};
+  const auto* known = std::find_if(std::begin(kNames), std::end(kNames),
+                                   [engine](const auto& name) { return name.first == engine; });
+  if (known == std::end(kNames)) {
+    throw std::invalid_argument("only the core's own engines have a name");
   }
-  return engine == lune_rows ? "fixrad::lune_rows" : "fixrad::hemicube_pixels";
+  return known->second;
 }
 
 std::string table_name(const DeltaTable* table) {

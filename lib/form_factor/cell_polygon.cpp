@@ -139,6 +139,32 @@ void element_polygon(const Scene& scene, const Face& face, const ElementCells& c
   }
 }
 
+namespace {
+
+int32_t cell_of_point(const GridLines& lines, const Vec3& point) {
+  int32_t cell = 0;
+  while (cell + 1 < lines.cells && lines.side(point, cell + 1) >= 0) {
+    ++cell;
+  }
+  return cell;
+}
+
+}  // namespace
+
+ElementCells cells_at(const Scene& scene, const Face& face, const Vec3& point) {
+  const Vec3 u = vec(face.axis_u), v = vec(face.axis_v);
+  const int32_t column = cell_of_point(grid_lines(face, u, v, face.cells_u, 1), point);
+  const int32_t row = cell_of_point(grid_lines(face, v, u, face.cells_v, -1), point);
+  ElementCellWalk walk(scene, face);
+  while (walk.next()) {
+    const ElementCells& c = walk.cells();
+    if (column >= c.first_u && column < c.end_u && row >= c.first_v && row < c.end_v) {
+      break;
+    }
+  }
+  return walk.cells();
+}
+
 ElementCells cells_of(const Scene& scene, const Face& face, uint16_t element) {
   ElementCellWalk walk(scene, face);
   while (walk.next() && walk.cells().element != element) {

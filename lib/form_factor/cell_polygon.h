@@ -65,4 +65,8 @@ void element_polygon(const Scene& scene, const Face& face, const ElementCells& c
 /// The cells of element `element` of `face`. Cost: a read a row.
 ElementCells cells_of(const Scene& scene, const Face& face, uint16_t element);
 
+/// The cells of the element of `face` that holds a point of its plane (1/64 grid unit), the nearest one for
+/// points beyond the face. Cost: 8 wide products a line of the grid.
+ElementCells cells_at(const Scene& scene, const Face& face, const Vec3& point);
+
 }  // namespace fixrad

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdint.h>
+
+#include "lib/form_factor/area_points.h"
+#include "lib/form_factor/contour.h"
+#include "lib/form_factor/ray_blockers.h"
+
+namespace fixrad {
+
+/// A flat part of a face, seen as a source of light: its polygon lifted off the face by half a grid unit, as
+/// eye points are, and points evenly spread over it.
+class AreaSource {
+ public:
+  static constexpr int kPoints = 4;
+
+  /// `polygon` must outlive the object; it is lifted.
+  AreaSource(const Face& face, Polygon& polygon);
+
+  /// Mean over kPoints points of the form factor to `target`, Q1.30; points that see its back count as 0.
+  /// Cost: kPoints contour_factor().
+  int32_t factor(const Polygon& target) const;
+
+  /// How many of 2^`log2` rays to `target` are not blocked; `pair` names the pair. Cost: as many
+  /// RayBlockers::is_blocked().
+  uint32_t free_rays(const Polygon& target, int log2, uint32_t pair, RayBlockers& blockers) const;
+
+ private:
+  Vec3 normal_;  // Q1.30
+  AreaPoints points_;
+};
+
+}  // namespace fixrad
