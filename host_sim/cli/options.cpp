@@ -61,8 +61,10 @@ void add_solver_options(CLI::App& command, CommonOptions& options) {
                   "Memory that the solver may take: 6 KB, 13 KB, 60 KB, 480 KB, 64 MB")
       ->check(CLI::IsMember({"tiny", "small", "medium", "large", "host"}))
       ->capture_default_str();
+  const auto choose_engine = [&options](const std::string&) { options.engine_chosen = true; };
   command.add_option("--engine", bake.engine, "Form factors by")
       ->check(CLI::IsMember({"pixels", "rows", "lunes", "rays", "contour"}))
+      ->each(choose_engine)
       ->capture_default_str();
   command.add_option("--solver", bake.solver, "Progressive shooting, or gathering with the full matrix")
       ->check(CLI::IsMember({"shooting", "gathering"}))
@@ -72,7 +74,8 @@ void add_solver_options(CLI::App& command, CommonOptions& options) {
           "--resolution", bake.resolution,
           "R, rows over the hemisphere, 8 to 128; of a hemicube, pixels along an edge; of rays, 4 to 32 "
           "a pair")
-      ->check(CLI::IsMember({4, 8, 16, 32, 64, 128}));
+      ->check(CLI::IsMember({4, 8, 16, 32, 64, 128}))
+      ->each(choose_engine);
   command.parse_complete_callback([&bake] {
     if (bake.resolution && !has_resolution(bake.engine, *bake.resolution)) {
       throw CLI::ValidationError("--resolution", bake.engine == "rays"
