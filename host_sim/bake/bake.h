@@ -25,7 +25,8 @@ struct BakeOptions {
   double unshot = 0.001;        ///< stop fraction
   double flux_per_eye = 0.006;  ///< one eye point for each such part of the emitted flux
   bool overshoot = true;
-  bool ambient = false;  ///< add the ambient estimate of the rest to the result
+  bool near_field = false;  ///< correct the rows of near pairs
+  bool ambient = false;     ///< add the ambient estimate of the rest to the result
 };
 
 /// How a scene is put into a profile's memory.

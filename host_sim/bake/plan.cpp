@@ -143,6 +143,7 @@ Settings make_settings(const BakeOptions& options, const BakePlan& plan) {
   settings.stop = to_fraction(options.unshot);
   settings.flux_per_eye = to_fraction(options.flux_per_eye);
   settings.overshoot = plan.overshoot;
+  settings.near_field = options.near_field ? correct_near_field : nullptr;
   return settings;
 }
 

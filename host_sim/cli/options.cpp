@@ -95,6 +95,8 @@ void add_solver_options(CLI::App& command, CommonOptions& options) {
   const auto choose = [&bake](bool overshoot) { return [&bake, overshoot] { bake.overshoot = overshoot; }; };
   command.add_flag_callback("--overshoot", choose(true), "Also shoot what the ambient estimate promises");
   command.add_flag_callback("--no-overshoot", choose(false), "Shoot unshot flux only");
+  command.add_flag("--near-field", bake.near_field,
+                   "Correct form factors of elements nearer than half the larger one's size");
   command.add_flag("--ambient", bake.ambient, "Add the ambient estimate of the unshot rest to the result");
 }
 

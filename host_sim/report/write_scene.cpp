@@ -230,18 +230,21 @@ void append_vertex_map_function(std::string& text, const VertexMap& map) {
 
 // Takes Settings apart so that a member which is added to it does not compile until it is written here too.
 void append_settings_function(std::string& text, const Settings& settings) {
-  const auto& [engine, table, coarse, probe, stop, flux_per_eye, overshoot, observer] = settings;
+  const auto& [engine, table, coarse, probe, stop, flux_per_eye, overshoot, near_field, observer] = settings;
   const auto fraction_of = [](Fraction f) {
     return "fixrad::Fraction::from_raw(" + unsigned_literal(f.raw) + ")";
   };
-  append_function(text, "Settings", "settings",
-                  {{"engine", engine_name(engine)},
-                   {"table", table_name(table)},
-                   {"coarse", table_name(coarse)},
-                   {"probe", table_name(probe)},
-                   {"stop", fraction_of(stop)},
-                   {"flux_per_eye", fraction_of(flux_per_eye)},
-                   {"overshoot", overshoot ? "true" : "false"}});
+  std::vector<std::pair<const char*, std::string>> members = {{"engine", engine_name(engine)},
+                                                              {"table", table_name(table)},
+                                                              {"coarse", table_name(coarse)},
+                                                              {"probe", table_name(probe)},
+                                                              {"stop", fraction_of(stop)},
+                                                              {"flux_per_eye", fraction_of(flux_per_eye)},
+                                                              {"overshoot", overshoot ? "true" : "false"}};
+  if (near_field != nullptr) {
+    members.emplace_back("near_field", "fixrad::correct_near_field");
+  }
+  append_function(text, "Settings", "settings", members);
 }
 
 void append_solver(std::string& text, const Sizes& s) {

@@ -9,19 +9,20 @@ int32_t lift_along(int16_t normal) {
   return rounded_shift(normal * (kFineScale / 2), 14);
 }
 
-Polygon& lifted(const Face& face, Polygon& polygon) {
+Polygon lifted(const Face& face, const Polygon& polygon) {
+  Polygon result = polygon;
   for (int k = 0; k < polygon.count; ++k) {
-    Vec3& p = polygon.corner[k];
+    Vec3& p = result.corner[k];
     p = {p.x + lift_along(face.normal[0]), p.y + lift_along(face.normal[1]),
          p.z + lift_along(face.normal[2])};
   }
-  return polygon;
+  return result;
 }
 
 }  // namespace
 
-AreaSource::AreaSource(const Face& face, Polygon& polygon)
-    : normal_(unit_vector(vec(face.normal))), points_(lifted(face, polygon)) {}
+AreaSource::AreaSource(const Face& face, const Polygon& polygon)
+    : normal_(unit_vector(vec(face.normal))), polygon_(lifted(face, polygon)), points_(polygon_) {}
 
 int32_t AreaSource::factor(const Polygon& target) const {
   int32_t sum = 0;

@@ -15,8 +15,11 @@ class AreaSource {
  public:
   static constexpr int kPoints = 4;
 
-  /// `polygon` must outlive the object; it is lifted.
-  AreaSource(const Face& face, Polygon& polygon);
+  AreaSource(const Face& face, const Polygon& polygon);
+  AreaSource(const AreaSource&) = delete;
+  AreaSource& operator=(const AreaSource&) = delete;
+
+  const Polygon& polygon() const { return polygon_; }
 
   /// Mean over kPoints points of the form factor to `target`, Q1.30; points that see its back count as 0.
   /// Cost: kPoints contour_factor().
@@ -28,6 +31,7 @@ class AreaSource {
 
  private:
   Vec3 normal_;  // Q1.30
+  Polygon polygon_;
   AreaPoints points_;
 };
 

@@ -22,10 +22,10 @@ class RayRow {
         face_(flash_read(scene.faces, sample.eye.face)),
         eye_(contour_point(face_, fine_point(sample.eye.position))),
         cells_(cells_at(scene, face_, eye_.position)),
-        source_(face_, source_polygon()),
+        source_(face_, polygon_of(cells_)),
         blockers_(scene, work),
         writer_(row, sample.weight) {
-    blockers_.enter_source(sample.eye.face, polygon_);
+    blockers_.enter_source(sample.eye.face, source_.polygon());
   }
 
   void add_face(uint16_t index) {
@@ -55,9 +55,10 @@ class RayRow {
   uint32_t back() const { return back_ >> (kArcBits - kDeltaSumLog2); }
 
  private:
-  Polygon& source_polygon() {
-    element_polygon(scene_, face_, cells_, polygon_);
-    return polygon_;
+  Polygon polygon_of(const ElementCells& cells) const {
+    Polygon polygon;
+    element_polygon(scene_, face_, cells, polygon);
+    return polygon;
   }
 
   int32_t height_over(const Face& face) const {
@@ -100,7 +101,6 @@ class RayRow {
   Face face_;
   ContourPoint eye_;
   ElementCells cells_;
-  Polygon polygon_;
   AreaSource source_;
   RayBlockers blockers_;
   RowWriter writer_;

@@ -67,9 +67,13 @@ Status sample_matrix_row(State& state, FormFactorMatrix& matrix, uint16_t e) {
     emits = emits || light.emitted.raw > 0;
   }
   KnownEyes known = 0;
-  const Status status = sample_source(state, element_source(scene, e), emits ? 9 : 1, known);
+  const EyeSource source = element_source(scene, e);
+  const Status status = sample_source(state, source, emits ? 9 : 1, known);
   if (status != Status::ok) {
     return status;
+  }
+  if (state.settings.near_field != nullptr) {
+    state.settings.near_field(scene, source, state.work, state.row);
   }
   store_row(state.row, matrix, e);
   return Status::ok;

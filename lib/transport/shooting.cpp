@@ -143,6 +143,9 @@ Status shoot(State& state) {
   if (status != Status::ok) {
     return status;
   }
+  if (state.settings.near_field != nullptr) {
+    state.settings.near_field(state.scene, source, state.work, state.row);
+  }
   const bool overshoots = state.settings.overshoot && !is_converged(state, scan, kOvershootUntil);
   Flux amount[kMaxChannels] = {};
   int32_t* unshot = unshot_of(state, scan.brightest);

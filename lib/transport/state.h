@@ -5,6 +5,7 @@
 
 #include "lib/elements/eye_points.h"
 #include "lib/form_factor/engine.h"
+#include "lib/form_factor/near_field.h"
 #include "lib/scene/load.h"
 
 namespace fixrad {
@@ -38,6 +39,7 @@ struct Settings {
   Fraction flux_per_eye =
       fraction(1, 100);    ///< a shot gets one eye point for each such part of the emitted flux
   bool overshoot = false;  ///< also shoot what the ambient estimate promises (Feda & Purgathofer 1992)
+  NearField near_field = nullptr;  ///< applied to the row of every shot; null: rows stay as sampled
   Observer observer = {nullptr, nullptr, nullptr, nullptr};
 };
 
@@ -49,8 +51,8 @@ constexpr KnownEyes kCentroidClear = 1, kCentroidBuried = 2;
 struct State {
   Scene scene;
   /// All zeros until load(), so that a static solver takes no initial values from flash.
-  Settings settings = {nullptr, nullptr, nullptr, nullptr,
-                       {0},     {0},     false,   {nullptr, nullptr, nullptr, nullptr}};
+  Settings settings = {
+      nullptr, nullptr, nullptr, nullptr, {0}, {0}, false, nullptr, {nullptr, nullptr, nullptr, nullptr}};
   Workspace work;
   FormFactorRow row;
   int32_t* received;                      ///< [element][channel], flux received in all

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lib/elements/eye_points.h"
+#include "lib/form_factor/row.h"
+#include "lib/form_factor/view.h"
+
+namespace fixrad {
+
+/// Corrects a finished row of `source`. See correct_near_field().
+using NearField = void (*)(const Scene& scene, const EyeSource& source, Workspace& work, FormFactorRow& row);
+
+/// Replaces the entries of elements nearer to the source than half the size of the larger of the two (square
+/// roots of their areas, distance of their centroids) by the closed form: the contour formula's mean over
+/// four points of the smaller one (by reciprocity, where that is the receiver), times the part of eight rays
+/// between the two that nothing blocks. All other entries, back and escaped among them, make room in
+/// proportion, so the row keeps its sum kRowOne, exactly. Sources with a part that may be buried (is_clear
+/// not set) stay as they are: rays from there would say that nobody sees them. Uses work.views.
+/// docs/near_field.md has what it is worth. Cost: three products an element, 8 contours and 8 rays a near
+/// pair.
+void correct_near_field(const Scene& scene, const EyeSource& source, Workspace& work, FormFactorRow& row);
+
+}  // namespace fixrad
