@@ -102,9 +102,6 @@ class NearPairs {
 }  // namespace
 
 void correct_near_field(const Scene& scene, const EyeSource& source, Workspace& work, FormFactorRow& row) {
-  if (!source.is_clear) {
-    return;
-  }
   NearPairs pairs(scene, source, work, row);
   if (!pairs.mark()) {
     return;

@@ -14,10 +14,10 @@ using NearField = void (*)(const Scene& scene, const EyeSource& source, Workspac
 /// roots of their areas, distance of their centroids) by the closed form: the contour formula's mean over
 /// four points of the smaller one (by reciprocity, where that is the receiver), times the part of eight rays
 /// between the two that nothing blocks. All other entries, back and escaped among them, make room in
-/// proportion, so the row keeps its sum kRowOne, exactly. Sources with a part that may be buried (is_clear
-/// not set) stay as they are: rays from there would say that nobody sees them. Uses work.views.
-/// docs/near_field.md has what it is worth. Cost: three products an element, 8 contours and 8 rays a near
-/// pair.
+/// proportion, so the row keeps its sum kRowOne, exactly. Rays from a part that something stands on are
+/// blocked, which keeps elements across a contact line from lighting the foot of what stands there. Uses
+/// work.views. docs/near_field.md has what it is worth. Cost: three products an element, 8 contours and 8
+/// rays a near pair.
 void correct_near_field(const Scene& scene, const EyeSource& source, Workspace& work, FormFactorRow& row);
 
 }  // namespace fixrad

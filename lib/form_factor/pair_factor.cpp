@@ -4,6 +4,9 @@
 namespace fixrad {
 namespace {
 
+// Abscissae of Gauss's rule of two points on [0, 1], 1/2 -+ 1/sqrt(12), UQ0.16.
+constexpr uint16_t kGaussLow = 0x3619, kGaussHigh = 0xc9e7;
+
 // By half a grid unit along a normal in Q14.
 int32_t lift_along(int16_t normal) {
   return rounded_shift(normal * (kFineScale / 2), 14);
@@ -27,7 +30,7 @@ AreaSource::AreaSource(const Face& face, const Polygon& polygon)
 int32_t AreaSource::factor(const Polygon& target) const {
   int32_t sum = 0;
   for (int i = 0; i < kPoints; ++i) {
-    const uint16_t s = (i & 1) != 0 ? 0xc000u : 0x4000u, t = (i & 2) != 0 ? 0xc000u : 0x4000u;
+    const uint16_t s = (i & 1) != 0 ? kGaussHigh : kGaussLow, t = (i & 2) != 0 ? kGaussHigh : kGaussLow;
     const int32_t part = contour_factor({points_.at(s, t), normal_}, target);
     sum += (part > 0 ? part : 0) / kPoints;
   }

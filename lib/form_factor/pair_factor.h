@@ -21,7 +21,8 @@ class AreaSource {
 
   const Polygon& polygon() const { return polygon_; }
 
-  /// Mean over kPoints points of the form factor to `target`, Q1.30; points that see its back count as 0.
+  /// Mean over kPoints points (Gauss's rule along both coordinates) of the form factor to `target`, Q1.30;
+  /// points that see its back count as 0.
   /// Cost: kPoints contour_factor().
   int32_t factor(const Polygon& target) const;
 
