@@ -46,14 +46,12 @@ class NearPairs {
   // Adds what element `i` of the source sends to the marked elements.
   void add_from(uint16_t i) {
     const uint16_t from = source_element(scene_, source_, i);
-    Polygon own;
-    element_polygon(scene_, face_, cells_of(scene_, face_, from), own);
-    const AreaSource source(face_, own);
+    const AreaSource source(scene_, face_, cells_of(scene_, face_, from));
     blockers_.enter_source(source_.face, source.polygon());
     entered_ = source_.face;
     for (uint16_t j = 0; j < row_.count; ++j) {
       if ((row_.share[j] & kFixedShare) != 0) {
-        row_.share[j] += pair_share(own, source, from, j);
+        row_.share[j] += pair_share(source, from, j);
       }
     }
   }
@@ -71,18 +69,20 @@ class NearPairs {
   }
 
   // Both ways the exchange is area x factor; this is the share of all that the source sends.
-  uint32_t pair_share(const Polygon& own, const AreaSource& source, uint16_t from, uint16_t j) {
+  uint32_t pair_share(const AreaSource& source, uint16_t from, uint16_t j) {
     const Element to = flash_read(scene_.elements, j);
     const Face face = flash_read(scene_.faces, to.face);
+    const ElementCells cells = cells_of(scene_, face, j);
     Polygon target;
-    element_polygon(scene_, face, cells_of(scene_, face, j), target);
+    element_polygon(scene_, face, cells, target);
     if (entered_ != to.face) {
       blockers_.enter_target(to.face);
       entered_ = to.face;
     }
     const uint32_t own_area = flash_at(scene_.elements, from).area;
     const bool is_smaller = own_area <= to.area;
-    const int32_t factor = is_smaller ? source.factor(target) : AreaSource(face, target).factor(own);
+    const int32_t factor =
+        is_smaller ? source.factor(target) : AreaSource(scene_, face, cells).factor(source.polygon());
     const uint32_t pair = j ^ static_cast<uint32_t>(from) << 16;
     const uint32_t free = source.free_rays(target, kNearRaysLog2, pair, blockers_);
     const uint32_t seen =

@@ -12,26 +12,31 @@ int32_t lift_along(int16_t normal) {
   return rounded_shift(normal * (kFineScale / 2), 14);
 }
 
-Polygon lifted(const Face& face, const Polygon& polygon) {
-  Polygon result = polygon;
+// The element's polygon, made in place: a copy would be 148 bytes of stack.
+const Polygon& make_lifted(const Scene& scene, const Face& face, const ElementCells& cells,
+                           Polygon& polygon) {
+  element_polygon(scene, face, cells, polygon);
   for (int k = 0; k < polygon.count; ++k) {
-    Vec3& p = result.corner[k];
+    Vec3& p = polygon.corner[k];
     p = {p.x + lift_along(face.normal[0]), p.y + lift_along(face.normal[1]),
          p.z + lift_along(face.normal[2])};
   }
-  return result;
+  return polygon;
 }
 
 }  // namespace
 
-AreaSource::AreaSource(const Face& face, const Polygon& polygon)
-    : normal_(unit_vector(vec(face.normal))), polygon_(lifted(face, polygon)), points_(polygon_) {}
+AreaSource::AreaSource(const Scene& scene, const Face& face, const ElementCells& cells)
+    : normal_(unit_vector(vec(face.normal))), points_(make_lifted(scene, face, cells, polygon_)) {}
+
+Vec3 AreaSource::point(int i) const {
+  return points_.at((i & 1) != 0 ? kGaussHigh : kGaussLow, (i & 2) != 0 ? kGaussHigh : kGaussLow);
+}
 
 int32_t AreaSource::factor(const Polygon& target) const {
   int32_t sum = 0;
   for (int i = 0; i < kPoints; ++i) {
-    const uint16_t s = (i & 1) != 0 ? kGaussHigh : kGaussLow, t = (i & 2) != 0 ? kGaussHigh : kGaussLow;
-    const int32_t part = contour_factor({points_.at(s, t), normal_}, target);
+    const int32_t part = contour_factor({point(i), normal_}, target);
     sum += (part > 0 ? part : 0) / kPoints;
   }
   return sum;

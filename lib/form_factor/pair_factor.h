@@ -15,15 +15,18 @@ class AreaSource {
  public:
   static constexpr int kPoints = 4;
 
-  AreaSource(const Face& face, const Polygon& polygon);
+  /// The element of `face` that has these cells. Cost: element_polygon().
+  AreaSource(const Scene& scene, const Face& face, const ElementCells& cells);
   AreaSource(const AreaSource&) = delete;
   AreaSource& operator=(const AreaSource&) = delete;
 
   const Polygon& polygon() const { return polygon_; }
 
-  /// Mean over kPoints points (Gauss's rule along both coordinates) of the form factor to `target`, Q1.30;
-  /// points that see its back count as 0.
-  /// Cost: kPoints contour_factor().
+  /// Point `i` of kPoints: Gauss's rule of two points along both coordinates. 1/64 grid unit.
+  Vec3 point(int i) const;
+
+  /// Mean over these points of the form factor to `target`, Q1.30; points that see its back count as 0. Cost:
+  /// kPoints contour_factor().
   int32_t factor(const Polygon& target) const;
 
   /// How many of 2^`log2` rays to `target` are not blocked; `pair` names the pair. Cost: as many

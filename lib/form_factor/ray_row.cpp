@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lib/form_factor/engine.h"
-#include "lib/form_factor/pair_factor.h"
+#include "lib/form_factor/ray_pairs.h"
 #include "lib/form_factor/row_balance.h"
 
 namespace fixrad {
@@ -16,51 +16,36 @@ constexpr uint32_t kRayGap = kRowOne >> 8;
 class RayRow {
  public:
   RayRow(const Scene& scene, const EyeSample& sample, int log2, Workspace& work, FormFactorRow& row)
-      : scene_(scene),
-        sample_(sample),
-        log2_(log2),
-        face_(flash_read(scene.faces, sample.eye.face)),
-        eye_(contour_point(face_, fine_point(sample.eye.position))),
-        cells_(cells_at(scene, face_, eye_.position)),
-        source_(face_, polygon_of(cells_)),
-        blockers_(scene, work),
-        writer_(row, sample.weight) {
-    blockers_.enter_source(sample.eye.face, source_.polygon());
-  }
+      : scene_(scene), sample_(sample), pairs_(scene, sample, log2, work), writer_(row, sample.weight) {}
 
   void add_face(uint16_t index) {
     const Face face = flash_read(scene_.faces, index);
     const bool is_front = height_over(face) > 0;
     Polygon target;
     face_outline(scene_, face, target);
-    const int32_t whole = contour_factor(eye_, target);
+    const int32_t whole = contour_factor(pairs_.eye(), target);
     if (is_front ? whole <= 0 : whole >= 0 || !sample_.back_faces) {
       return;
     }
-    blockers_.enter_target(index);
+    pairs_.enter_target(index);
     if (!is_front) {
       back_ = sum_of(back_, arriving(kBackSlot, -whole, target));
       return;
     }
     for (ElementCellWalk walk(scene_, face); walk.next();) {
-      element_polygon(scene_, face, walk.cells(), target);
       const uint16_t element = walk.cells().element;
-      const int32_t factor = is_near(element) ? source_.factor(target) : contour_factor(eye_, target);
+      element_polygon(scene_, face, walk.cells(), target);
+      const int32_t factor =
+          pairs_.is_near(element) ? pairs_.source().factor(target) : contour_factor(pairs_.eye(), target);
       sum_ = sum_of(sum_, arriving(element, factor, target));
       writer_.add(element, sum_ >> (kArcBits - kDeltaSumLog2));
     }
   }
 
-  /// Part of the hemisphere that back faces take, UQ1.20, as far as the rays tell.
+  // Part of the hemisphere that back faces take, UQ1.20, as far as the rays tell.
   uint32_t back() const { return back_ >> (kArcBits - kDeltaSumLog2); }
 
  private:
-  Polygon polygon_of(const ElementCells& cells) const {
-    Polygon polygon;
-    element_polygon(scene_, face_, cells, polygon);
-    return polygon;
-  }
-
   int32_t height_over(const Face& face) const {
     const Vec3 corner = vec(flash_read(scene_.vertices, corner_vertex(scene_, face, 0)));
     const Vec3& p = sample_.eye.position;
@@ -68,41 +53,17 @@ class RayRow {
                {p.x - corner.x * kEyeScale, p.y - corner.y * kEyeScale, p.z - corner.z * kEyeScale});
   }
 
-  // An eye that stands for a whole element alone is too little where the other is nearer than twice the
-  // larger one's size. Distances squared and areas, both in square grid units.
-  bool is_near(uint16_t index) const {
-    if (sample_.weight != kRowOne) {
-      return false;
-    }
-    const Element& element = flash_at(scene_.elements, index);
-    const uint32_t own = flash_at(scene_.elements, cells_.element).area;
-    const Vec3 to = scale_down(vec(element.eye) - sample_.eye.position, 2);
-    const uint64_t distance2 = wide_product(magnitude(to.x), magnitude(to.x)) +
-                               wide_product(magnitude(to.y), magnitude(to.y)) +
-                               wide_product(magnitude(to.z), magnitude(to.z));
-    return distance2 < 4 * ((element.area > own ? element.area : own) / 8);
-  }
-
   static uint32_t sum_of(uint32_t a, uint32_t b) { return b < kRaySumLimit - a ? a + b : kRaySumLimit; }
 
   // The part of a factor that its rays let through.
   uint32_t arriving(uint16_t slot, int32_t factor, const Polygon& target) {
-    if (factor <= 0) {
-      return 0;
-    }
-    const uint32_t pair =
-        slot ^ (static_cast<uint32_t>(cells_.element) << 16) ^ (sample_.eye.turn * 0x9e3779b9ul);
-    return (static_cast<uint32_t>(factor) >> log2_) * source_.free_rays(target, log2_, pair, blockers_);
+    return factor <= 0 ? 0
+                       : (static_cast<uint32_t>(factor) >> pairs_.log2()) * pairs_.free_rays(slot, target);
   }
 
   const Scene& scene_;
   const EyeSample& sample_;
-  int log2_;
-  Face face_;
-  ContourPoint eye_;
-  ElementCells cells_;
-  AreaSource source_;
-  RayBlockers blockers_;
+  RayPairs pairs_;
   RowWriter writer_;
   uint32_t sum_ = 0, back_ = 0;  // UQ2.30
 };
