@@ -24,6 +24,7 @@ double weight_of(const RecordedEye& eye) {
 
 std::vector<glm::dvec3> corners_of(const Polygon& polygon, bool reversed) {
   std::vector<glm::dvec3> corners;
+  corners.reserve(static_cast<std::size_t>(polygon.count));
   for (int k = 0; k < polygon.count; ++k) {
     corners.push_back(to_double(polygon.corner[k]));
   }
