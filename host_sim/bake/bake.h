@@ -18,15 +18,16 @@ namespace fixrad::host {
 /// What the user may choose; everything left out follows from the profile.
 struct BakeOptions {
   std::string profile = "large";
-  std::string engine = "lunes";     ///< lunes | rows | pixels
+  std::string engine = "lunes";     ///< lunes | rows | pixels | rays | contour
   std::string solver = "shooting";  ///< shooting | gathering
-  std::optional<int> resolution;    ///< R
+  std::optional<int> resolution;    ///< R, or rays a pair
   std::optional<std::uint32_t> elements;
   double unshot = 0.001;               ///< stop fraction
   std::optional<double> flux_per_row;  ///< one row of samples for each such part of the emitted flux
   std::optional<double> flux_per_eye;  ///< an element has one eye point for each such part
   bool overshoot = true;
-  bool ambient = false;  ///< add the ambient estimate of the rest to the result
+  bool near_field = false;  ///< correct the rows of near pairs
+  bool ambient = false;     ///< add the ambient estimate of the rest to the result
 };
 
 /// How a scene is put into a profile's memory.
@@ -41,8 +42,12 @@ struct BakePlan {
   std::uint32_t ram() const { return ram_bytes(profile, sizes) + matrix_bytes; }
 };
 
+/// Whether the engine can be asked for this resolution: 8 to 128 rows, or 4 to 32 rays a pair, a power of
+/// two.
+bool has_resolution(const std::string& engine, int resolution);
+
 /// Chooses elements, patches and pools. Throws InputError if the scene does not fit, with the bytes that it
-/// needs.
+/// needs, or if faces hide each other and the engine is `contour`.
 BakePlan make_plan(const PreparedScene& scene, const BakeOptions& options);
 
 /// Called now and then; returns false to stop.

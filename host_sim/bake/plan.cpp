@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "host_sim/bake/bake.h"
+#include "host_sim/bake/occlusion.h"
 
 namespace fixrad::host {
 namespace {
@@ -18,13 +19,33 @@ std::uint32_t default_elements(const Profile& profile, std::uint32_t faces) {
 // Elements shoot in patches of about so many once each has little left to send.
 constexpr std::uint32_t kElementsOfPatch = 4;
 
+constexpr int kRays = 16;  // a pair
+
+bool is_hemicube(const std::string& engine) {
+  return engine == "rows" || engine == "pixels";
+}
+
+int default_resolution(const std::string& engine, const Profile& profile) {
+  return engine == "rays" ? kRays : (is_hemicube(engine) ? profile.hemicube : profile.lunes);
+}
+
+Engine engine_named(const std::string& name) {
+  if (name == "rays") {
+    return ray_row;
+  }
+  if (name == "contour") {
+    return contour_row;
+  }
+  return name == "pixels" ? hemicube_pixels : (name == "rows" ? hemicube_rows : lune_rows);
+}
+
 BakePlan plan_for(const PreparedScene& scene, const BakeOptions& options, const Profile& profile,
                   std::uint32_t elements) {
   const auto faces = static_cast<std::uint32_t>(scene.faces.size());
   const bool is_gathering = options.solver == "gathering";
   BakePlan plan;
   plan.profile = profile;
-  plan.resolution = options.resolution.value_or(options.engine == "lunes" ? profile.lunes : profile.hemicube);
+  plan.resolution = options.resolution.value_or(default_resolution(options.engine, profile));
   plan.meshing = make_uniform(scene, elements, elements / kElementsOfPatch);
   const auto channels = static_cast<std::uint32_t>(scene.channels);
   const std::uint32_t n = plan.meshing.element_count;
@@ -46,9 +67,30 @@ std::string does_not_fit(const PreparedScene& scene, const BakePlan& plan) {
          "; use a larger --profile or a simpler scene";
 }
 
+int line_of_face(const PreparedScene& scene, std::uint32_t face) {
+  return scene.model->faces[scene.faces[face].parts.front().input_face].line;
+}
+
+void refuse_occlusion(const PreparedScene& scene) {
+  if (const auto found = find_occlusion(scene)) {
+    throw InputError(scene.model->path + ":" + std::to_string(line_of_face(scene, found->blocker)) +
+                     ": error: this face may hide a part of the face of line " +
+                     std::to_string(line_of_face(scene, found->from)) + " from that of line " +
+                     std::to_string(line_of_face(scene, found->to)) +
+                     ", which --engine contour does not notice; use --engine rays or lunes");
+  }
+}
+
 }  // namespace
 
+bool has_resolution(const std::string& engine, int resolution) {
+  return engine == "rays" ? resolution >= 4 && resolution <= 32 : resolution >= 8;
+}
+
 BakePlan make_plan(const PreparedScene& scene, const BakeOptions& options) {
+  if (options.engine == "contour") {
+    refuse_occlusion(scene);
+  }
   const Profile profile = find_profile(options.profile).value();
   const auto faces = static_cast<std::uint32_t>(scene.faces.size());
   std::uint32_t elements =
@@ -77,21 +119,19 @@ Settings make_settings(const BakeOptions& options, const BakePlan& plan) {
     return Fraction::from_raw(static_cast<std::uint32_t>(std::clamp(std::ldexp(a, 32), 0.0, 4294967295.0)));
   };
   Settings settings;
+  settings.engine = engine_named(options.engine);
+  settings.tables = is_hemicube(options.engine) ? delta_table(plan.resolution) : lune_table(plan.resolution);
+  settings.table_count = 1;
   if (options.engine == "lunes") {
-    const DeltaTable* finest = lune_table(plan.resolution);
+    settings.table_count = static_cast<std::uint8_t>(settings.tables - kLunes + 1);
     settings.tables = kLunes;
-    settings.table_count = static_cast<std::uint8_t>(finest - settings.tables + 1);
-  } else {
-    settings.engine = options.engine == "pixels" ? hemicube_pixels : hemicube_rows;
-    settings.tables = delta_table(plan.resolution);
-    settings.table_count = 1;
-    settings.probe = &kDelta8;
   }
   settings.stop = to_fraction(options.unshot);
   settings.flux_per_row =
       to_fraction(options.flux_per_row.value_or(plan.profile.flux_of_rows / plan.sizes.elements));
   settings.flux_per_eye = to_fraction(options.flux_per_eye.value_or(plan.profile.flux_per_eye));
   settings.overshoot = plan.overshoot;
+  settings.near_field = options.near_field ? correct_near_field : nullptr;
   return settings;
 }
 

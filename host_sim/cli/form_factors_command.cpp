@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "host_sim/bake/closed_form_factors.h"
 #include "host_sim/cli/session.h"
 #include "host_sim/report/text.h"
 #include "lib/transport/sampling.h"
@@ -51,6 +52,40 @@ Matrix face_factors(const LoadedScene& scene, const BakeResult& solution_frame, 
   return factors;
 }
 
+// Rows of form factors from the core's solver, as the options choose it.
+Matrix sampled_factors(const LoadedScene& scene, const BakeOptions& choice, const BakeResult& frame) {
+  SimulatedDevice device(frame.plan.sizes);
+  const Status status = device.load(frame.device.view(), make_settings(choice, frame.plan));
+  if (status != Status::ok) {
+    throw InputError(scene.model.path + ": error: the core refuses the scene: " + describe(status));
+  }
+  return face_factors(scene, frame, device.state());
+}
+
+// Closed forms wherever nothing can stand between two faces; rows are sampled only if some pair needs them.
+Matrix best_factors(const LoadedScene& scene, const BakeOptions& choice, const BakeResult& frame) {
+  const auto faces = static_cast<std::uint32_t>(scene.model.file_faces);
+  ClosedFormFactors closed(scene.prepared, frame.device);
+  Matrix factors(faces, std::vector<double>(faces, 0.0));
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> hidden;
+  for (std::uint32_t i = 0; i < faces && !is_interrupted(); ++i) {
+    for (std::uint32_t j = 0; j < faces; ++j) {
+      const std::optional<double> factor = closed.factor(i, j);
+      factors[i][j] = factor.value_or(0);
+      if (!factor) {
+        hidden.push_back({i, j});
+      }
+    }
+  }
+  if (!hidden.empty()) {
+    const Matrix sampled = sampled_factors(scene, choice, frame);
+    for (const auto& [i, j] : hidden) {
+      factors[i][j] = sampled[i][j];
+    }
+  }
+  return factors;
+}
+
 }  // namespace
 
 int run_form_factors(const CommonOptions& options) {
@@ -58,18 +93,16 @@ int run_form_factors(const CommonOptions& options) {
   const auto scene = load_scene(options);
   BakeOptions choice = options.bake;
   choice.profile = "host";
-  choice.resolution = options.bake.resolution.value_or(kResolution);
+  if (choice.engine != "rays") {
+    choice.resolution = options.bake.resolution.value_or(kResolution);
+  }
   choice.elements = options.bake.elements.value_or(
       std::max(kElements, 2 * static_cast<std::uint32_t>(scene->prepared.faces.size())));
   BakeResult frame;
   frame.plan = make_plan(scene->prepared, choice);
   frame.device = make_device_scene(scene->prepared, frame.plan.meshing);
-  SimulatedDevice device(frame.plan.sizes);
-  const Status status = device.load(frame.device.view(), make_settings(choice, frame.plan));
-  if (status != Status::ok) {
-    throw InputError(scene->model.path + ": error: the core refuses the scene: " + describe(status));
-  }
-  const Matrix factors = face_factors(*scene, frame, device.state());
+  const Matrix factors =
+      options.engine_chosen ? sampled_factors(*scene, choice, frame) : best_factors(*scene, choice, frame);
   if (is_interrupted()) {
     say(options, "interrupted: nothing written");
     return kInterrupted;

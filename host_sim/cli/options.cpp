@@ -61,16 +61,28 @@ void add_solver_options(CLI::App& command, CommonOptions& options) {
                   "Memory that the solver may take: 6 KB, 13 KB, 60 KB, 480 KB, 64 MB")
       ->check(CLI::IsMember({"tiny", "small", "medium", "large", "host"}))
       ->capture_default_str();
+  const auto choose_engine = [&options](const std::string&) { options.engine_chosen = true; };
   command.add_option("--engine", bake.engine, "Form factors by")
-      ->check(CLI::IsMember({"pixels", "rows", "lunes"}))
+      ->check(CLI::IsMember({"pixels", "rows", "lunes", "rays", "contour"}))
+      ->each(choose_engine)
       ->capture_default_str();
   command.add_option("--solver", bake.solver, "Progressive shooting, or gathering with the full matrix")
       ->check(CLI::IsMember({"shooting", "gathering"}))
       ->capture_default_str();
   command
-      .add_option("--resolution", bake.resolution,
-                  "R: rows over the hemisphere for the strongest shots; of a hemicube, pixels along an edge")
-      ->check(CLI::IsMember({8, 16, 32, 64, 128}));
+      .add_option(
+          "--resolution", bake.resolution,
+          "R: rows over the hemisphere for the strongest shots, 8 to 128; of a hemicube, pixels along an edge; "
+          "of rays, 4 to 32 a pair")
+      ->check(CLI::IsMember({4, 8, 16, 32, 64, 128}))
+      ->each(choose_engine);
+  command.parse_complete_callback([&bake] {
+    if (bake.resolution && !has_resolution(bake.engine, *bake.resolution)) {
+      throw CLI::ValidationError("--resolution", bake.engine == "rays"
+                                                     ? "--engine rays takes 4, 8, 16 or 32 rays a pair"
+                                                     : "--engine " + bake.engine + " takes 8 to 128");
+    }
+  });
   command.add_option("--elements", bake.elements, "At most so many elements")->check(CLI::Range(1u, 60000u));
   command
       .add_option("--unshot", bake.unshot, "Stop when the unshot flux is under this part of the emitted flux")
@@ -87,6 +99,8 @@ void add_solver_options(CLI::App& command, CommonOptions& options) {
   const auto choose = [&bake](bool overshoot) { return [&bake, overshoot] { bake.overshoot = overshoot; }; };
   command.add_flag_callback("--overshoot", choose(true), "Also shoot what the ambient estimate promises");
   command.add_flag_callback("--no-overshoot", choose(false), "Shoot unshot flux only");
+  command.add_flag("--near-field", bake.near_field,
+                   "Correct form factors of elements nearer than half the larger one's size");
   command.add_flag("--ambient", bake.ambient, "Add the ambient estimate of the unshot rest to the result");
 }
 

@@ -23,6 +23,7 @@ struct CommonOptions {
   Display display;
   bool quiet = false;
   bool keep_partial = false;
+  bool engine_chosen = false;  ///< --engine or --resolution was given
   std::vector<std::string> outputs;
   std::string faces_csv;
   std::string json;

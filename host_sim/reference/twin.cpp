@@ -8,6 +8,7 @@
 namespace fixrad::host {
 namespace {
 
+// Engines by pairs need no hemisphere in double but that of the lunes.
 TwinEngine engine_of(Engine engine) {
   if (engine == hemicube_rows) {
     return TwinEngine::rows;
@@ -15,7 +16,7 @@ TwinEngine engine_of(Engine engine) {
   if (engine == hemicube_pixels) {
     return TwinEngine::pixels;
   }
-  if (engine == lune_rows) {
+  if (engine == lune_rows || engine == contour_row || engine == ray_row) {
     return TwinEngine::lunes;
   }
   throw std::invalid_argument("the twin in double knows the core's own engines only");
@@ -25,10 +26,15 @@ TwinEngine engine_of(Engine engine) {
 
 Twin::Twin(const Scene& scene, const Settings& settings)
     : scene_(make_twin_scene(scene)),
+      engine_(settings.engine),
       hemisphere_(scene_, engine_of(settings.engine)),
+      pairs_(scene, scene_),
       received_(scene_.element_count() * scene_.channels, 0.0),
       sent_(received_.size(), 0.0),
       has_emitted_(scene_.element_count(), false) {
+  if (settings.near_field != nullptr) {
+    throw std::invalid_argument("the twin in double cannot replay --near-field; leave it out");
+  }
   row_.share.resize(scene_.element_count());
 }
 
@@ -42,7 +48,7 @@ void Twin::shoot(const RecordedShot& shot, const RecordedEye* eyes) {
   std::fill(row_.share.begin(), row_.share.end(), 0.0);
   row_.escaped = row_.back = 0;
   for (std::size_t i = 0; i < shot.eye_count; ++i) {
-    hemisphere_.add(eyes[i], row_);
+    add_eye(eyes[i]);
   }
   if (shot.eye_count == 0) {  // buried: its light stays on it, as in the core
     row_.share[shot.elements.front()] = 1.0;
@@ -61,6 +67,16 @@ void Twin::shoot(const RecordedShot& shot, const RecordedEye* eyes) {
   }
   if (shot.is_emission) {
     has_emitted_[shot.elements.front()] = true;
+  }
+}
+
+void Twin::add_eye(const RecordedEye& eye) {
+  if (engine_ == contour_row) {
+    pairs_.add_contours(eye, row_);
+  } else if (engine_ == ray_row) {
+    pairs_.add_rays(eye, row_);
+  } else {
+    hemisphere_.add(eye, row_);
   }
 }
 

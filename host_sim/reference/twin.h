@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host_sim/reference/twin_hemisphere.h"
+#include "host_sim/reference/twin_pairs.h"
 #include "host_sim/reference/twin_recorder.h"
 #include "host_sim/reference/twin_scene.h"
 
@@ -18,7 +19,8 @@ namespace fixrad::host {
 class Twin {
  public:
   /// Starts from the emitted flux. Of `settings` only the engine counts; throws std::invalid_argument if it
-  /// is none of hemicube_rows, hemicube_pixels and lune_rows. The scene is copied.
+  /// is none of the core's, or if rows are corrected afterwards, which the twin does not know. The tables of
+  /// `scene` must outlive the twin.
   Twin(const Scene& scene, const Settings& settings);
   Twin(const Twin&) = delete;
   Twin& operator=(const Twin&) = delete;
@@ -53,9 +55,12 @@ class Twin {
 
  private:
   double send(const RecordedShot& shot, std::size_t c);
+  void add_eye(const RecordedEye& eye);
 
   TwinScene scene_;
+  Engine engine_;
   TwinHemisphere hemisphere_;
+  TwinPairs pairs_;
   TwinFormFactors row_;
   std::vector<double> received_;  // [element][channel]
   std::vector<double> sent_;      // [element][channel], of what it reflects

@@ -2,6 +2,8 @@
 #include "host_sim/report/write_scene.h"
 
 #include <algorithm>
+#include <iterator>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -191,10 +193,17 @@ void append_function(std::string& text, const std::string& type, const std::stri
 }
 
 const char* engine_name(Engine engine) {
-  if (engine == hemicube_rows) {
-    return "fixrad::hemicube_rows";
+  constexpr std::pair<Engine, const char*> kNames[] = {{hemicube_rows, "fixrad::hemicube_rows"},
+                                                       {hemicube_pixels, "fixrad::hemicube_pixels"},
+                                                       {lune_rows, "fixrad::lune_rows"},
+                                                       {ray_row, "fixrad::ray_row"},
+                                                       {contour_row, "fixrad::contour_row"}};
+  const auto* known = std::find_if(std::begin(kNames), std::end(kNames),
+                                   [engine](const auto& name) { return name.first == engine; });
+  if (known == std::end(kNames)) {
+    throw std::invalid_argument("only the core's own engines have a name");
   }
-  return engine == lune_rows ? "fixrad::lune_rows" : "fixrad::hemicube_pixels";
+  return known->second;
 }
 
 std::string table_name(const DeltaTable* table) {
@@ -234,20 +243,23 @@ void append_vertex_map_function(std::string& text, const VertexMap& map) {
 
 // Takes Settings apart so that a member which is added to it does not compile until it is written here too.
 void append_settings_function(std::string& text, const Settings& settings) {
-  const auto& [engine, tables, table_count, probe, stop, flux_per_row, flux_per_eye, overshoot, observer] =
-      settings;
+  const auto& [engine, tables, table_count, probe, stop, flux_per_row, flux_per_eye, overshoot, near_field,
+               observer] = settings;
   const auto fraction_of = [](Fraction f) {
     return "fixrad::Fraction::from_raw(" + unsigned_literal(f.raw) + ")";
   };
-  append_function(text, "Settings", "settings",
-                  {{"engine", engine_name(engine)},
-                   {"tables", table_name(tables)},
-                   {"table_count", literal(table_count)},
-                   {"probe", table_name(probe)},
-                   {"stop", fraction_of(stop)},
-                   {"flux_per_row", fraction_of(flux_per_row)},
-                   {"flux_per_eye", fraction_of(flux_per_eye)},
-                   {"overshoot", overshoot ? "true" : "false"}});
+  std::vector<std::pair<const char*, std::string>> members = {{"engine", engine_name(engine)},
+                                                              {"tables", table_name(tables)},
+                                                              {"table_count", literal(table_count)},
+                                                              {"probe", table_name(probe)},
+                                                              {"stop", fraction_of(stop)},
+                                                              {"flux_per_row", fraction_of(flux_per_row)},
+                                                              {"flux_per_eye", fraction_of(flux_per_eye)},
+                                                              {"overshoot", overshoot ? "true" : "false"}};
+  if (near_field != nullptr) {
+    members.emplace_back("near_field", "fixrad::correct_near_field");
+  }
+  append_function(text, "Settings", "settings", members);
 }
 
 void append_solver(std::string& text, const Sizes& s) {

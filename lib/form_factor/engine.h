@@ -43,6 +43,22 @@ Status lune_rows(const Scene& scene, const DeltaTable& table, const EyeSample& s
 Status hemicube_pixels(const Scene& scene, const DeltaTable& table, const EyeSample& sample, Workspace& work,
                        FormFactorRow& row);
 
+/// Lambert's contour formula to every element: the closed form, for scenes where nothing stands between two
+/// faces; what hides another is not noticed. Both then count, a row that passes 1 is cut, and elements late
+/// in the tables vanish. The table is not read. Cost: a clip and 5 corners of contour_factor() an element.
+Status contour_row(const Scene& scene, const DeltaTable& table, const EyeSample& sample, Workspace& work,
+                   FormFactorRow& row);
+
+/// Ray casting: to every element the closed form, times the part of 2^k rays (k = table.resolution_log2, 2 to
+/// 5; nothing else of the table is read) that nothing blocks between points spread over the eye's element and
+/// over the receiver. An eye that stands for its element alone takes the mean over four points of it to
+/// elements nearer than twice the larger one's size. What reaches no front at all is measured on 16 lunes;
+/// all entries share the rest in proportion, so that the noise of the rays makes no light and loses none.
+/// Cost: the contours of contour_row(), 2^k rays an element where some face can stand between, and
+/// hidden_share(). Status span_pool_full as hidden_share().
+Status ray_row(const Scene& scene, const DeltaTable& table, const EyeSample& sample, Workspace& work,
+               FormFactorRow& row);
+
 /// An eye that has more than this part of what hidden_share() looks at hidden is buried.
 constexpr uint32_t kBuriedShare = kRowOne / 2;
 

@@ -74,6 +74,9 @@ Status sample_matrix_row(State& state, FormFactorMatrix& matrix, uint16_t e) {
   if (status != Status::ok) {
     return status;
   }
+  if (state.settings.near_field != nullptr) {
+    state.settings.near_field(scene, e, state.work, state.row);
+  }
   store_row(state.row, matrix, e);
   return Status::ok;
 }

@@ -89,6 +89,9 @@ Status fire(State& state, const Shot& shot, uint64_t flux) {
   if (status != Status::ok) {
     return status;
   }
+  if (state.settings.near_field != nullptr && shot.source.kind == SourceKind::element) {
+    state.settings.near_field(state.scene, shot.source.first, state.work, state.row);
+  }
   const Observer& observer = state.settings.observer;
   if (observer.on_shot != nullptr) {
     observer.on_shot(observer.context, shot);

@@ -5,6 +5,7 @@
 
 #include "lib/elements/eye_points.h"
 #include "lib/form_factor/engine.h"
+#include "lib/form_factor/near_field.h"
 #include "lib/scene/load.h"
 
 namespace fixrad {
@@ -45,6 +46,7 @@ struct Settings {
   Fraction flux_per_row = fraction(1, 2500);
   Fraction flux_per_eye = fraction(1, 10);  ///< an element gets an eye point for each such part
   bool overshoot = false;  ///< also shoot what the ambient estimate promises (Feda & Purgathofer 1992)
+  NearField near_field = nullptr;  ///< corrects the rows of elements; null: they stay as sampled
   Observer observer = {nullptr, nullptr, nullptr, nullptr};
 };
 
@@ -62,8 +64,8 @@ struct Sweep {
 struct State {
   Scene scene;
   /// All zeros until load(), so that a static solver takes no initial values from flash.
-  Settings settings = {
-      nullptr, nullptr, 0, nullptr, {0}, {0}, {0}, false, {nullptr, nullptr, nullptr, nullptr}};
+  Settings settings = {nullptr, nullptr, 0,     nullptr, {0},
+                       {0},     {0},     false, nullptr, {nullptr, nullptr, nullptr, nullptr}};
   Workspace work;
   FormFactorRow row;
   int32_t* received;                      ///< [element][channel], flux received in all

@@ -158,10 +158,30 @@ INSTANTIATE_TEST_SUITE_P(Lunes, TwinOfRows,
                                            Sampling{"R32", lune_rows, &kLune32, &kLune32},
                                            Sampling{"R64And16", lune_rows, &kLune64, &kLune16}),
                          name_of);
+INSTANTIATE_TEST_SUITE_P(Rays, TwinOfRows,
+                         ::testing::Values(Sampling{"N4", ray_row, &kLune4, &kLune4},
+                                           Sampling{"N16", ray_row, &kLune16, &kLune16}),
+                         name_of);
 INSTANTIATE_TEST_SUITE_P(Hemicube, TwinOfPixels,
                          ::testing::Values(Sampling{"R16", hemicube_pixels, &kDelta16, &kDelta16},
                                            Sampling{"R32", hemicube_pixels, &kDelta32, &kDelta32}),
                          name_of);
+
+TEST(Twin, OfContoursIsWithinTheBarInAnEmptyRoom) {
+  TwinRoom room;
+  add_room(room, 6);
+  Settings settings;
+  settings.engine = contour_row;
+  expect_within(FixedRun(room.scene(), settings));
+}
+
+TEST(Twin, RefusesRowsThatAreCorrectedAfterwards) {
+  TwinRoom room;
+  add_room(room, 2);
+  Settings settings;
+  settings.near_field = correct_near_field;
+  EXPECT_THROW(Twin(room.scene(), settings), std::invalid_argument);
+}
 
 TEST(Twin, ReplaysABackFaceThatBlocks) {
   TwinRoom room;

@@ -21,15 +21,20 @@ from call_graph import INDIRECT_CALL, Function, Refused, demangled, read_ci
 
 # What may be called through a pointer, by caller. Settings::engine is called where an eye is sampled; a firmware's
 # Settings::observer is null. shoot() chooses a loop by the number of channels.
-ENGINES = ("hemicube_rows", "lune_rows", "hemicube_pixels")
+# Functions that work pair by pair keep polygons on the stack: an ATmega2560 has none for them, and the programs of
+# the project do not name them.
+NEAR_FIELD = ("correct_near_field",)
+PAIRS = ("ray_row", "contour_row") + NEAR_FIELD
+ENGINES = ("hemicube_rows", "lune_rows", "hemicube_pixels", "ray_row", "contour_row")
 INDIRECT = (
     ("sample_source", ENGINES),
     ("look", ENGINES),
+    ("sample_matrix_row", ENGINES + NEAR_FIELD),
     ("withdraw", ()),
     # Start-up code calls the static constructors, then main().
     ("reset_handler", ("_GLOBAL__sub_I_*",)),
     ("start", ("_GLOBAL__sub_I_*",)),
-    ("shoot", ("scan_patches",)),
+    ("shoot", ENGINES + NEAR_FIELD + ("scan_patches",)),
     ("scan_patches", ("scan_patches",)),
 )
 
@@ -61,7 +66,8 @@ def helper_bytes(title, prefix):
 
 
 class Depths:
-    def __init__(self, functions, prefix):
+    def __init__(self, functions, prefix, unused=()):
+        self.unused = unused
         self.functions, self.prefix, self.known, self.path = functions, prefix, {}, []
         self.by_name = {}
         for title, function in functions.items():
@@ -78,7 +84,7 @@ class Depths:
                 raise Refused(f"{demangled(caller.title)} calls through a pointer")
             for pattern in listed[0]:
                 for name in fnmatch.filter(self.by_name, pattern):
-                    if name != demangled(caller.title):
+                    if name != demangled(caller.title) and name not in self.unused:
                         yield from self.by_name[name]
 
     def of(self, title):
@@ -133,8 +139,10 @@ def main():
         functions = read_objects(options.objects, options.prefix)
         for name in options.leaf:
             functions.setdefault(name, Function(name)).frame = 0
-        depths = Depths(functions, options.prefix)
-        titles = [t for name, ts in depths.by_name.items() for t in ts if options.root in (None, name)]
+        without_pairs = options.root is not None or options.prefix == "avr-"
+        depths = Depths(functions, options.prefix, PAIRS if without_pairs else ())
+        titles = [t for name, ts in depths.by_name.items() for t in ts
+                  if options.root in (None, name) and name not in depths.unused]
         if not titles:
             raise Refused(f"no function {options.root or ''} to start from")
         size, chain = max((depths.of(title) for title in titles), key=lambda d: d[0])

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "lib/form_factor/cell_polygon.h"
+
+namespace fixrad {
+namespace {
+
+constexpr int kAxisBits = 15;
+constexpr int kLineBits = 20;  // of a grid line's normal
+constexpr int kSideBits = 30;  // of a corner's distance from a line, before it is divided
+
+int wide_bits(int64_t a) {
+  const uint64_t m = a < 0 ? 0u - static_cast<uint64_t>(a) : static_cast<uint64_t>(a);
+  const uint32_t high = static_cast<uint32_t>(m >> 32);
+  return high != 0 ? 32 + bit_length(high) : bit_length(static_cast<uint32_t>(m));
+}
+
+int64_t dot_wide(const Vec3& a, const Vec3& b) {
+  return static_cast<int64_t>(a.x) * b.x + static_cast<int64_t>(a.y) * b.y + static_cast<int64_t>(a.z) * b.z;
+}
+
+// One family of grid lines: the line before cell k is where cells (normal . (p - origin)) = k extent.
+struct GridLines {
+  Vec3 normal, origin;
+  int64_t extent;
+  int32_t cells;
+
+  int64_t side(const Vec3& p, int32_t line) const {
+    return cells * dot_wide(normal, p - origin) - line * extent;
+  }
+};
+
+// Lines of constant coordinate along `axis` run along `other`; normal x other points so that the coordinate
+// grows.
+GridLines grid_lines(const Face& face, const Vec3& axis, const Vec3& other, int32_t cells, int32_t sign) {
+  const Vec3 n = cross(block_normalise(other, kAxisBits), vec(face.normal));
+  const Vec3 normal = block_normalise({n.x * sign, n.y * sign, n.z * sign}, kLineBits);
+  const Vec3 origin = vec(face.origin);
+  return {normal,
+          {origin.x * kFineScale, origin.y * kFineScale, origin.z * kFineScale},
+          dot_wide(normal, {axis.x * kFineScale, axis.y * kFineScale, axis.z * kFineScale}),
+          cells};
+}
+
+int32_t between(int32_t a, int32_t b, int32_t part, int32_t whole) {
+  const int64_t way = static_cast<int64_t>(b - a) * part;
+  const int64_t half = way < 0 ? -static_cast<int64_t>(whole / 2) : whole / 2;
+  return a + static_cast<int32_t>((way + half) / whole);
+}
+
+// The point of the edge from `inside` (side > 0) to `outside` (side < 0) that lies on the line.
+Vec3 cut_point(const Vec3& inside, int64_t in, const Vec3& outside, int64_t out) {
+  const int bits = wide_bits(in - out);
+  const int shift = bits > kSideBits ? bits - kSideBits : 0;
+  const int32_t part = static_cast<int32_t>(in >> shift);
+  const int32_t whole = part - static_cast<int32_t>(out >> shift);
+  if (whole <= 0) {
+    return inside;
+  }
+  return {between(inside.x, outside.x, part, whole), between(inside.y, outside.y, part, whole),
+          between(inside.z, outside.z, part, whole)};
+}
+
+// Keeps the side of the line where sign * side >= 0 (Sutherland & Hodgman 1974).
+void clip(const GridLines& lines, int32_t line, int32_t sign, Polygon& polygon) {
+  const Polygon from = polygon;
+  polygon.count = 0;
+  if (from.count == 0) {
+    return;
+  }
+  Vec3 a = from.corner[from.count - 1];
+  int64_t side_a = sign * lines.side(a, line);
+  for (int k = 0; k < from.count; ++k) {
+    const Vec3 b = from.corner[k];
+    const int64_t side_b = sign * lines.side(b, line);
+    if (((side_a < 0 && side_b > 0) || (side_a > 0 && side_b < 0)) && polygon.count < Polygon::kMost) {
+      polygon.corner[polygon.count++] =
+          side_a > 0 ? cut_point(a, side_a, b, side_b) : cut_point(b, side_b, a, side_a);
+    }
+    if (side_b >= 0 && polygon.count < Polygon::kMost) {
+      polygon.corner[polygon.count++] = b;
+    }
+    a = b;
+    side_a = side_b;
+  }
+}
+
+}  // namespace
+
+void face_outline(const Scene& scene, const Face& face, Polygon& polygon) {
+  polygon.count = face.corner_count;
+  for (int k = 0; k < face.corner_count; ++k) {
+    const Vec3 v = vec(flash_read(scene.vertices, corner_vertex(scene, face, k)));
+    polygon.corner[k] = {v.x * kFineScale, v.y * kFineScale, v.z * kFineScale};
+  }
+}
+
+bool ElementCellWalk::next_row() {
+  if (cells_.end_v >= face_.cells_v) {
+    return false;
+  }
+  cells_.first_v = cells_.end_v;
+  row_ = flash_read(scene_.cell_rows, static_cast<unsigned>(face_.first_cell_row + cells_.first_v));
+  do {
+    ++cells_.end_v;
+  } while (cells_.end_v < face_.cells_v &&
+           flash_read(scene_.cell_rows, static_cast<unsigned>(face_.first_cell_row + cells_.end_v))
+                   .first_element == row_.first_element);
+  column_ = row_.first_cell;
+  return true;
+}
+
+bool ElementCellWalk::next() {
+  if (column_ > row_.last_cell && !next_row()) {
+    return false;
+  }
+  cells_.element = static_cast<uint16_t>(row_.first_element + column_ - row_.first_cell);
+  cells_.first_u = static_cast<uint8_t>(column_ == row_.first_cell ? 0 : column_);
+  cells_.end_u = static_cast<uint8_t>(column_ == row_.last_cell ? face_.cells_u : column_ + 1);
+  ++column_;
+  return true;
+}
+
+void element_polygon(const Scene& scene, const Face& face, const ElementCells& cells, Polygon& polygon) {
+  const Vec3 u = vec(face.axis_u), v = vec(face.axis_v);
+  face_outline(scene, face, polygon);
+  const GridLines rows = grid_lines(face, v, u, face.cells_v, -1);
+  if (cells.first_v > 0) {
+    clip(rows, cells.first_v, 1, polygon);
+  }
+  if (cells.end_v < face.cells_v) {
+    clip(rows, cells.end_v, -1, polygon);
+  }
+  const GridLines columns = grid_lines(face, u, v, face.cells_u, 1);
+  if (cells.first_u > 0) {
+    clip(columns, cells.first_u, 1, polygon);
+  }
+  if (cells.end_u < face.cells_u) {
+    clip(columns, cells.end_u, -1, polygon);
+  }
+}
+
+namespace {
+
+int32_t cell_of_point(const GridLines& lines, const Vec3& point) {
+  int32_t cell = 0;
+  while (cell + 1 < lines.cells && lines.side(point, cell + 1) >= 0) {
+    ++cell;
+  }
+  return cell;
+}
+
+}  // namespace
+
+ElementCells cells_at(const Scene& scene, const Face& face, const Vec3& point) {
+  const Vec3 u = vec(face.axis_u), v = vec(face.axis_v);
+  const int32_t column = cell_of_point(grid_lines(face, u, v, face.cells_u, 1), point);
+  const int32_t row = cell_of_point(grid_lines(face, v, u, face.cells_v, -1), point);
+  ElementCellWalk walk(scene, face);
+  while (walk.next()) {
+    const ElementCells& c = walk.cells();
+    if (column >= c.first_u && column < c.end_u && row >= c.first_v && row < c.end_v) {
+      break;
+    }
+  }
+  return walk.cells();
+}
+
+ElementCells cells_of(const Scene& scene, const Face& face, uint16_t element) {
+  ElementCellWalk walk(scene, face);
+  while (walk.next() && walk.cells().element != element) {
+  }
+  return walk.cells();
+}
+
+}  // namespace fixrad
