@@ -2,12 +2,16 @@
 #include <filesystem>
 
 #include "host_sim/cli/search_options.h"
+#include "host_sim/cli/sweep_page.h"
+#include "host_sim/report/data_page.h"
 #include "host_sim/report/text.h"
 
 namespace fixrad::host {
 namespace {
 
-constexpr const char* kInterruptedLine = "interrupted: nothing written";
+bool is_page(const std::string& output) {
+  return std::filesystem::path(output).extension() == ".html";
+}
 
 Choices with_defaults(Choices choices) {
   const auto fill = [](auto& list, auto defaults) {
@@ -35,8 +39,13 @@ std::string summary(const std::vector<SweepPoint>& points) {
 }  // namespace
 
 int run_sweep(const CommonOptions& options, const Choices& choices) {
+  bool wants_page = false;
   for (const std::string& output : options.outputs) {
     check_folder(output);
+    wants_page = wants_page || is_page(output);
+  }
+  if (wants_page) {
+    page_with("", "");  // says now, not after the work, if this tool has no page
   }
   const auto scene = load_scene(options);
   const std::vector<BakeOptions> settings =
@@ -52,15 +61,18 @@ int run_sweep(const CommonOptions& options, const Choices& choices) {
   const Truth truth = trace_truth(scene->prepared);
   catch_interrupt();
   std::vector<SweepPoint> points;
+  Showcase showcase;
   if (!solve_all(options, scene->prepared, truth, settings,
-                 [&](const SweepPoint& point) { points.push_back(point); })) {
-    say(options, kInterruptedLine);
+                 [&](const SweepPoint& point) { points.push_back(point); }) ||
+      (wants_page && !make_showcase(options, *scene, truth, points, showcase))) {
+    say(options, "interrupted: nothing written");
     return kInterrupted;
   }
   say(options, summary(points));
   const std::string start = bake_command_start("fixrad", options);
   for (const std::string& output : options.outputs) {
-    write_text(output, sweep_csv(points, start));
+    write_text(output, is_page(output) ? sweep_page(options, start, truth, points, showcase)
+                                       : sweep_csv(points, start));
     say(options, "wrote " + output);
   }
   return kDone;
