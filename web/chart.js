@@ -55,7 +55,7 @@ export function drawChart(host, state, select) {
       }),
       dot(selected ? [selected] : [], { x, y, r: 11, stroke: 'currentColor', strokeWidth: 2, className: 'selected' }),
       tip(points, pointer({
-        x, y, maxRadius: 30, title: (p) => describe(p, axis), lineWidth: isPhone ? 22 : 34, fontSize: 12,
+        x, y, maxRadius: 30, title: (p) => describe(p, axis), lineWidth: isPhone ? 22 : 34, fontSize: 12, lineHeight: 1.3,
         fill: 'var(--card)', stroke: 'var(--line)',
       })),
     ],

@@ -76,6 +76,11 @@ int run(int argc, char** argv) {
       ->required()
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 
+  TuneOptions wish;
+  CLI::App* tune = app.add_subcommand("tune", "The cheapest setting for a core, its memory and an error");
+  add_scene_options(*tune, options);
+  add_tune_options(*tune, options, wish);
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& help) {
@@ -96,6 +101,9 @@ int run(int argc, char** argv) {
   }
   if (sweep->parsed()) {
     return run_sweep(options, choices);
+  }
+  if (tune->parsed()) {
+    return run_tune(options, wish, argv[0]);
   }
   return factors->parsed() ? run_form_factors(options) : run_info(options);
 }

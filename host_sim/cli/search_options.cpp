@@ -3,7 +3,6 @@
 
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdio>
 
 #include "host_sim/report/text.h"
@@ -15,36 +14,30 @@ CLI::Validator fraction() {
   return CLI::Range(1e-9, 0.999999, "FRACTION");
 }
 
-// A line that is written over on a terminal; nothing in a log.
-class Counter {
- public:
-  Counter(const CommonOptions& options, std::size_t count)
-      : count_(count), visible_(!options.quiet && isatty(STDERR_FILENO) != 0) {}
-  ~Counter() {
-    if (visible_) {
-      std::fputs("\r\033[K", stderr);
-    }
-  }
-  Counter(const Counter&) = delete;
-  Counter& operator=(const Counter&) = delete;
-
-  void show(std::size_t done, const BakeOptions& now) const {
-    if (visible_) {
-      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-      const double left =
-          done == 0 ? 0 : seconds * static_cast<double>(count_ - done) / static_cast<double>(done);
-      std::fprintf(stderr, "\r[%zu of %zu] %s, profile %s, %.0f s left \033[K", done + 1, count_,
-                   now.engine.c_str(), now.profile.c_str(), left);
-    }
-  }
-
- private:
-  std::size_t count_;
-  bool visible_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 }  // namespace
+
+Counter::Counter(const CommonOptions& options, std::size_t count)
+    : count_(count), visible_(!options.quiet && isatty(STDERR_FILENO) != 0) {}
+
+Counter::~Counter() {
+  if (visible_) {
+    std::fputs("\r\033[K", stderr);
+  }
+}
+
+void Counter::next(const BakeOptions& setting) {
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  if (visible_ && count_ > 0) {
+    const double left =
+        done_ == 0 ? 0 : seconds * static_cast<double>(count_ - done_) / static_cast<double>(done_);
+    std::fprintf(stderr, "\r[%zu of %zu] %s, profile %s, %.0f s left \033[K", done_ + 1, count_,
+                 setting.engine.c_str(), setting.profile.c_str(), left);
+  } else if (visible_) {
+    std::fprintf(stderr, "\r[%zu] %s, profile %s, %u elements, %.0f s \033[K", done_ + 1,
+                 setting.engine.c_str(), setting.profile.c_str(), setting.elements.value_or(0), seconds);
+  }
+  ++done_;
+}
 
 void add_sweep_options(CLI::App& command, CommonOptions& options, Choices& choices) {
   command.add_option("--profile", choices.profiles, "Profiles to solve for")
@@ -73,25 +66,24 @@ void add_sweep_options(CLI::App& command, CommonOptions& options, Choices& choic
       ->capture_default_str();
 }
 
-void add_tune_options(CLI::App& command, CommonOptions& options, Wish& wish) {
+void add_tune_options(CLI::App& command, CommonOptions& options, TuneOptions& tune) {
   std::vector<std::string> targets;
   for (const CostModel& model : cost_models()) {
     targets.push_back(model.target);
   }
-  command.add_option("--target", wish.target, "Core that the solver is to run on")
+  command.add_option("--target", tune.target, "Core that the solver is to run on")
       ->check(CLI::IsMember(targets))
       ->required();
   command
-      .add_option("--ram", wish.ram, "Bytes that the solver may take (default: those of the core's profile)")
+      .add_option("--ram", tune.ram, "Bytes that the solver may take (default: those of the core's profile)")
       ->check(CLI::Range(1u, 1u << 30));
   command
-      .add_option_function<double>(
-          "--max-error", [&wish](const double& percent) { wish.max_error = percent / 100; },
-          "Mean error of face means against path-traced truth, in per cent")
+      .add_option("--max-error", tune.max_error_percent,
+                  "Mean error of face means against path-traced truth, in per cent")
       ->check(CLI::PositiveNumber)
-      ->default_str("2");
+      ->capture_default_str();
   command
-      .add_option("--max-instructions", wish.max_instructions,
+      .add_option("--max-instructions", tune.max_instructions,
                   "Most instructions (cycles on AVR), such as 35e6")
       ->check(CLI::PositiveNumber);
   command.add_option("--json", options.json, "Write what was found to this file too");
@@ -110,11 +102,11 @@ std::string bake_command_start(const std::string& program, const CommonOptions& 
 
 bool solve_all(const CommonOptions& options, const PreparedScene& scene, const Truth& truth,
                const std::vector<BakeOptions>& settings, const std::function<void(const SweepPoint&)>& take) {
-  const Counter counter(options, settings.size());
-  for (std::size_t i = 0; i < settings.size(); ++i) {
-    counter.show(i, settings[i]);
-    const SweepPoint point = solve_setting(scene, truth, settings[i],
-                                           [](std::uint32_t, double, double) { return !is_interrupted(); });
+  Counter counter(options, settings.size());
+  for (const BakeOptions& setting : settings) {
+    counter.next(setting);
+    const SweepPoint point =
+        solve_setting(scene, truth, setting, [](std::uint32_t, double, double) { return !is_interrupted(); });
     if (point.interrupted || is_interrupted()) {
       return false;
     }
