@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Fit what each step of a solution costs on each target, and write host_sim/sweep/cost_table.cpp.
 
-    scripts/fit_costs.py [--tool build/host/host_sim/cli/count_work] [--check]
+    scripts/fit_costs.py [--check] [--tool build/host/host_sim/cli/count_work]
 
 Reads the exact counts of firmware/measurements.json and those of host_sim/sweep/calibration.json, solves every
 measured scene again on the host to count its steps, and finds, target by target, the weights w >= 0 that minimise
@@ -12,7 +12,7 @@ measured scene again on the host to count its steps, and finds, target by target
 
 with s the factor that fits `prior` as a whole. The last sum decides between steps that no measurement tells apart, such
 as those that always come in the same proportion. Run it after scripts/measure_targets.py; takes seconds.
---check writes nothing and fails if a measurement deviates by more than LIMIT from what the committed weights say.
+--check writes nothing and fails if a measurement is more than LIMIT away from what the committed weights say.
 """
 
 import argparse
@@ -38,6 +38,7 @@ PRIOR = {"eye": 500, "vertex": 80, "face": 40, "view": 500, "band_vertex": 60, "
 STAGES = {"transform": ("vertex", "face", "view", "eye"), "raster": ("band_vertex", "band_face", "interval"),
           "insert": ("row", "span_met"), "split": ("span", "piece"), "search": ("patch",),
           "distribute": ("share", "element")}
+LIMIT = 0.1
 STAGE_WEIGHT = 0.1
 PRIOR_WEIGHT = 0.03
 POINTER_BYTES = {"atmega2560": 2}
@@ -111,7 +112,7 @@ def fit_target(runs, bench, steps):
     rows += [({n: PRIOR_WEIGHT}, PRIOR_WEIGHT) for n in PRIOR]
     factors = solve(rows, list(PRIOR))
     weights = {n: factors[n] * prior[n] for n in PRIOR}
-    residual = max(abs(sum(weights[n] * work[n] for n in PRIOR) / count - 1) for work, count in runs)
+    residual = max(abs(said(weights, work) / count - 1) for work, count in runs)
     return weights, residual
 
 
@@ -126,6 +127,31 @@ def runs_of(target, record, steps, calibration):
     runs.update({name: (run["work"], run["solve"][target]) for name, run in calibration.items()
                  if target in run["solve"]})
     return runs
+
+
+def said(weights, work):
+    return sum(weights[n] * work[n] for n in PRIOR)
+
+
+def committed_weights():
+    """{target: weights} of the table as it is."""
+    rows = re.findall(r'\{"([\w-]+)", "\w+",\s*\{([^}]*)\}', TABLE.read_text())
+    return {target: dict(zip(step_names(), map(float, numbers.split(",")))) for target, numbers in rows}
+
+
+def check(measured, steps, calibration):
+    weights = committed_weights()
+    faults, runs_checked = [], 0
+    for target, record in measured["targets"].items():
+        for name, (work, count) in runs_of(target, record, steps, calibration).items():
+            deviation = said(weights[target], work) / count - 1
+            runs_checked += 1
+            if abs(deviation) > LIMIT:
+                faults.append(f"{TABLE.relative_to(ROOT)}: {target}, {name}: {100 * deviation:+.1f} % off what was "
+                              "measured; run scripts/fit_costs.py")
+    if faults or not runs_checked:
+        sys.exit("\n".join(faults) or "fit_costs: nothing was measured")
+    print(f"{runs_checked} measurements are reproduced within {100 * LIMIT:.0f} %")
 
 
 def table(measured, steps, calibration):
@@ -143,8 +169,7 @@ def table(measured, steps, calibration):
                   f"       {residual:.4f}, {len(runs)}, {POINTER_BYTES.get(target, 4)}}},"]
         print(f"{target:11} {len(runs):3} measurements, largest deviation {100 * residual:.1f} %", file=sys.stderr)
         for name, (work, count) in runs.items():
-            said = sum(weights[n] * work[n] for n in PRIOR)
-            print(f"    {name:24} {100 * (said / count - 1):+6.1f} %", file=sys.stderr)
+            print(f"    {name:24} {100 * (said(weights, work) / count - 1):+6.1f} %", file=sys.stderr)
     lines += ["  };", "  return models;", "}", "", "}  // namespace fixrad::host", ""]
     return "\n".join(lines)
 
@@ -152,12 +177,17 @@ def table(measured, steps, calibration):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--tool", default=ROOT / "build/host/host_sim/cli/count_work")
+    parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
     if set(step_names()) != set(PRIOR):
         sys.exit(f"fit_costs: host_sim/sweep/work.cpp names other steps than PRIOR: {set(step_names()) ^ set(PRIOR)}")
     measured = json.loads(MEASUREMENTS.read_text())
     calibration = json.loads(CALIBRATION.read_text())["runs"] if CALIBRATION.exists() else {}
-    text = table(measured, measured_steps(options.tool, measured), calibration)
+    steps = measured_steps(options.tool, measured)
+    if options.check:
+        check(measured, steps, calibration)
+        return
+    text = table(measured, steps, calibration)
     partial = TABLE.with_name(TABLE.name + ".partial")
     partial.write_text(text)
     partial.rename(TABLE)

@@ -83,6 +83,10 @@ void add_tune_options(CLI::App& command, CommonOptions& options, TuneOptions& tu
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command
+      .add_option("--max-worst", tune.max_worst_percent,
+                  "Error of the worst face that has at least a tenth of the mean radiosity, in per cent")
+      ->check(CLI::PositiveNumber);
+  command
       .add_option("--max-instructions", tune.max_instructions,
                   "Most instructions (cycles on AVR), such as 35e6")
       ->check(CLI::PositiveNumber);

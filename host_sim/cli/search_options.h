@@ -20,7 +20,8 @@ struct TuneOptions {
   std::optional<std::uint32_t>
       ram;                       ///< bytes that the solver may take; else those of the profile for the chip
   double max_error_percent = 2;  ///< mean over faces against the truth
-  std::optional<double> max_instructions;  ///< or cycles, where the target's model counts these
+  std::optional<double> max_worst_percent;  ///< of the worst face
+  std::optional<double> max_instructions;   ///< or cycles, where the target's model counts these
 };
 
 void add_sweep_options(CLI::App& command, CommonOptions& options, Choices& choices);

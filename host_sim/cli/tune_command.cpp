@@ -33,8 +33,13 @@ std::string count(double value) {
 
 std::string figures(const SweepPoint& point, const CostModel& model) {
   return percent(point.mean_error) + " mean error (worst face " + percent(point.worst_error) + "), " +
-         std::to_string(point.ram_bytes) + " bytes of RAM, " + count(cost_on(model, point).value_or(0)) +
+         std::to_string(ram_on(model, point)) + " bytes of RAM, " + count(cost_on(model, point).value_or(0)) +
          " " + model.unit;
+}
+
+std::string error_text(const Wish& wish) {
+  const std::string worst = wish.max_worst ? " (worst face " + percent(*wish.max_worst) + ")" : "";
+  return percent(wish.max_error) + " mean error" + worst;
 }
 
 std::string wish_text(const Wish& wish) {
@@ -49,7 +54,7 @@ Json point_json(const SweepPoint& point, const CostModel& model, const std::stri
           {"resolution", point.resolution},
           {"elements", point.elements},
           {"patches", point.patches},
-          {"ram_bytes", point.ram_bytes},
+          {"ram_bytes", ram_on(model, point)},
           {"mean_error", point.mean_error},
           {"worst_error", point.worst_error},
           {model.unit, static_cast<std::uint64_t>(cost_on(model, point).value_or(0))}};
@@ -59,6 +64,7 @@ Json to_json(const Wish& wish, const Tuned& tuned, const Truth& truth, const std
   Json json = {{"target", wish.model->target},
                {"ram", wish.ram},
                {"max_error", wish.max_error},
+               {"max_worst", wish.max_worst ? Json(*wish.max_worst) : Json()},
                {"truth_standard_error", truth.standard_error},
                {"model_residual", wish.model->residual},
                {"solved", tuned.solved},
@@ -81,8 +87,8 @@ std::string out_of_reach(const Wish& wish, const Tuned& tuned, const std::string
   const auto with_command = [&](const SweepPoint& point) {
     return figures(point, *wish.model) + "\n    " + start + " " + point.command;
   };
-  std::string text = scene + ": error: a mean error of " + percent(wish.max_error) + " is out of reach in " +
-                     wish_text(wish) + "\n  closest within these: ";
+  std::string text = scene + ": error: " + error_text(wish) + " is out of reach in " + wish_text(wish) +
+                     "\n  closest within these: ";
   text += tuned.closest ? with_command(*tuned.closest) : std::string("nothing fits");
   text += "\n  for that error: ";
   return text + (tuned.enough ? with_command(*tuned.enough)
@@ -90,11 +96,13 @@ std::string out_of_reach(const Wish& wish, const Tuned& tuned, const std::string
 }
 
 std::string explanation(const Wish& wish, const Tuned& tuned, const Truth& truth) {
-  return "cheapest of " + std::to_string(tuned.solved) + " settings for at most " + percent(wish.max_error) +
+  const std::string hint =
+      wish.max_worst ? "" : "\nthe worst face is not part of the wish; --max-worst bounds it";
+  return "cheapest of " + std::to_string(tuned.solved) + " settings for at most " + error_text(wish) +
          " in " + wish_text(wish) + ": " + figures(*tuned.cheapest, *wish.model) +
          "\nerror: means of faces " + "against path-traced truth, whose standard error is " +
          percent(truth.standard_error) + "; " + wish.model->unit + ": a model within " +
-         percent(wish.model->residual) + " of measured solutions";
+         percent(wish.model->residual) + " of measured solutions" + hint;
 }
 
 }  // namespace
@@ -105,6 +113,9 @@ int run_tune(const CommonOptions& options, const TuneOptions& tune_options, cons
   wish.model = find_cost_model(tune_options.target);
   wish.ram = tune_options.ram.value_or(usual_ram(tune_options.target));
   wish.max_error = tune_options.max_error_percent / 100;
+  if (tune_options.max_worst_percent) {
+    wish.max_worst = *tune_options.max_worst_percent / 100;
+  }
   wish.max_cost = tune_options.max_instructions;
   const auto scene = load_scene(options);
   exit_on_interrupt();

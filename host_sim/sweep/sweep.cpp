@@ -24,6 +24,7 @@ SweepPoint solve_setting(const PreparedScene& scene, const Truth& truth, const B
   point.shots = result.shots;
   point.eyes = result.eyes;
   point.ram_bytes = result.plan.ram();
+  point.pools = pool_bytes(result.plan.sizes) + result.plan.matrix_bytes;
   point.rom_bytes = result.device.rom_bytes();
   point.digest = result.digest;
   point.host_seconds = result.seconds;

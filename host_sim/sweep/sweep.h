@@ -19,6 +19,7 @@ struct SweepPoint {
   std::string command;  ///< options of `fixrad bake` for it, without the scene
   int resolution = 0;
   std::uint32_t elements = 0, patches = 0, shots = 0, eyes = 0, ram_bytes = 0;
+  std::uint32_t pools = 0;  ///< bytes of ram_bytes that are the same on every target
   std::size_t rom_bytes = 0;
   std::uint64_t digest = 0;
   double mean_error = 0;   ///< as FaceMeanError

@@ -11,9 +11,10 @@ namespace fixrad::host {
 /// What a solution on a target must keep to.
 struct Wish {
   const CostModel* model = nullptr;
-  std::uint32_t ram = 0;           ///< bytes that the solver may take on the target
-  double max_error = 0.02;         ///< mean over faces against the truth, relative
-  std::optional<double> max_cost;  ///< instructions or cycles
+  std::uint32_t ram = 0;            ///< bytes that the solver may take on the target
+  double max_error = 0.02;          ///< mean over faces against the truth, relative
+  std::optional<double> max_worst;  ///< of faces with at least a tenth of the mean radiosity, relative
+  std::optional<double> max_cost;   ///< instructions or cycles
 };
 
 /// What a search has found.
@@ -30,8 +31,9 @@ struct Tuned {
 /// Solves a setting; interrupted points end the search.
 using Solve = std::function<SweepPoint(const BakeOptions&)>;
 
-/// Bytes of a plan's solver on the model's target, or, where that is more, on its profile's chip.
+/// Bytes of a solver on the model's target, or, where that is more, on its profile's chip.
 std::uint32_t ram_on(const CostModel& model, const BakePlan& plan);
+std::uint32_t ram_on(const CostModel& model, const SweepPoint& point);
 
 /// Looks for the cheapest setting that fulfils the wish: meshes in steps of 1.4 and resolutions, cheap ones
 /// first and none that are likely to cost several times what was found; then eye points and stop fractions
