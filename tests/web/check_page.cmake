@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-# cmake -DSOURCE=<this folder> -DWORK=<folder in the build tree> -DTOOL=<fixrad> -DSCENE=<scene.obj>
-#       -DCHROMIUM=<browser> -P check_page.cmake
+# cmake -DSOURCE=<this folder> -DWORK=<folder in the build tree> -DTOOL=<fixrad> -DSCENE=<scene.obj> -P check_page.cmake
 # Installs the driver of the browser into WORK where package-lock.json has changed since, writes a page and a table,
 # opens the page.
 find_program(NODE node REQUIRED)
 find_program(NPM npm REQUIRED)
+find_program(CHROMIUM chromium REQUIRED)
 foreach(file package.json package-lock.json .npmrc check_page.mjs)
   file(COPY "${SOURCE}/${file}" DESTINATION "${WORK}")
 endforeach()
