@@ -156,7 +156,7 @@ def check(measured, steps, calibration):
 
 def table(measured, steps, calibration):
     lines = ["// SPDX-License-Identifier: MIT",
-             "// Made by scripts/fit_costs.py from firmware/measurements.json; do not edit.",
+             "// Made by scripts/fit_costs.py from firmware/measurements.json and calibration.json; do not edit.",
              "// clang-format off",
              '#include "host_sim/sweep/cost_model.h"', "", "namespace fixrad::host {", "",
              "const std::vector<CostModel>& cost_models() {", "  static const std::vector<CostModel> models = {"]
