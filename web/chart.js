@@ -4,6 +4,7 @@ import { dot, line, plot, pointer, tip } from '@observablehq/plot';
 import { engineColour, percent, profileRadius, settingName } from './figures.js';
 
 const kPhone = 560; // pixels of width
+const kTipColumns = 52; // letters
 
 // Marks of a logarithmic scale that keep their label: 1, 2 and 5 of a decade, 1 alone where it is long.
 function labelled(domain) {
@@ -12,11 +13,25 @@ function labelled(domain) {
   return (value) => digits.includes(Math.round(value / 10 ** Math.floor(Math.log10(value) + 1e-9)));
 }
 
-function describe(p, axis, errorName) {
+// A command in lines that do not tear an option from its dashes.
+function commandLines(command) {
+  const lines = [''];
+  for (const part of command.split(/ (?=--)/)) {
+    const longer = lines.at(-1) === '' ? part : `${lines.at(-1)} ${part}`;
+    if (longer.length <= kTipColumns || lines.at(-1) === '') {
+      lines[lines.length - 1] = longer;
+    } else {
+      lines.push(part);
+    }
+  }
+  return lines;
+}
+
+function describe(p, axis) {
   return [
     settingName(p), `profile ${p.profile}, ${p.flux_per_eye} of the flux an eye point`,
     `error ${percent(p.error)} in the mean, ${percent(p.worst)} at the worst face`,
-    `${axis.name}: ${axis.text(axis.of(p))}`, '', p.command,
+    `${axis.name}: ${axis.text(axis.of(p))}`, '', ...commandLines(p.command),
   ].join('\n');
 }
 

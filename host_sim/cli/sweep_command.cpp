@@ -48,6 +48,7 @@ int run_sweep(const CommonOptions& options, const Choices& choices) {
     page_with("", "");  // says now, not after the work, if this tool has no page
   }
   const auto scene = load_scene(options);
+  exit_on_interrupt();
   const std::vector<BakeOptions> settings =
       all_settings(scene->prepared, options.bake, with_defaults(choices));
   if (settings.empty()) {
@@ -57,7 +58,6 @@ int run_sweep(const CommonOptions& options, const Choices& choices) {
         "--profile");
   }
   say(options, "tracing the truth, then solving " + std::to_string(settings.size()) + " settings");
-  exit_on_interrupt();
   const Truth truth = trace_truth(scene->prepared);
   catch_interrupt();
   std::vector<SweepPoint> points;

@@ -120,7 +120,6 @@ int run_tune(const CommonOptions& options, const TuneOptions& tune_options, cons
   const auto scene = load_scene(options);
   exit_on_interrupt();
   const Truth truth = trace_truth(scene->prepared);
-  catch_interrupt();
   Tuned tuned;
   {
     Counter counter(options, 0);

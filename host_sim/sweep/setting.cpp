@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "host_sim/sweep/setting.h"
 
+#include <algorithm>
+#include <map>
 #include <set>
 #include <tuple>
 
@@ -38,6 +40,34 @@ std::vector<BakeOptions> combinations(const BakeOptions& base, const Choices& ch
   return all;
 }
 
+// The search for a mesh that fits is long where none does, so the least that any mesh needs is asked first.
+bool can_fit(const PreparedScene& scene, const BakeOptions& options) {
+  const auto faces = static_cast<std::uint32_t>(scene.faces.size());
+  const Profile profile = find_profile(options.profile).value();
+  const std::uint32_t buffer = options.engine == "pixels"
+                                   ? static_cast<std::uint32_t>(options.resolution.value_or(profile.hemicube))
+                                   : 0;
+  const Sizes least = {static_cast<std::uint32_t>(scene.vertices.positions.size()),
+                       faces,
+                       faces,
+                       1,
+                       std::min(65535u, 2 * faces),
+                       static_cast<std::uint32_t>(scene.channels),
+                       buffer};
+  return ram_bytes(profile, least) <= profile.ram_bytes;
+}
+
+std::optional<BakePlan> plan_if_it_fits(const PreparedScene& scene, const BakeOptions& options) {
+  if (!can_fit(scene, options)) {
+    return std::nullopt;
+  }
+  try {
+    return make_plan(scene, options);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 const std::vector<std::string>& swept_engines() {
@@ -48,18 +78,20 @@ const std::vector<std::string>& swept_engines() {
 std::vector<BakeOptions> all_settings(const PreparedScene& scene, const BakeOptions& base,
                                       const Choices& choices) {
   std::vector<BakeOptions> settings;
-  std::set<std::tuple<std::string, std::string, int, std::uint32_t, std::uint32_t, std::uint32_t, double>>
-      seen;
+  std::set<std::tuple<std::string, std::string, int, std::uint32_t, std::uint32_t, double>> seen;
+  std::map<std::tuple<std::string, std::string, int, std::uint32_t>, std::optional<BakePlan>> plans;
   for (const BakeOptions& options : combinations(base, choices)) {
-    try {
-      const BakePlan plan = make_plan(scene, options);
-      if (seen.insert({options.profile, options.engine, plan.resolution, plan.sizes.elements,
-                       plan.meshing.patch_count, plan.sizes.patches, options.flux_per_eye})
-              .second) {
-        settings.push_back(options);
-      }
-    } catch (const InputError&) {  // does not fit this profile
-      continue;
+    // R is part of the memory only where there is an item buffer.
+    const int buffer = options.engine == "pixels" ? options.resolution.value_or(0) : 0;
+    const auto key = std::make_tuple(options.profile, options.engine, buffer, options.elements.value_or(0));
+    if (plans.count(key) == 0) {
+      plans[key] = plan_if_it_fits(scene, options);
+    }
+    const std::optional<BakePlan>& plan = plans[key];
+    if (plan && seen.insert({options.profile, options.engine, options.resolution.value_or(0),
+                             plan->sizes.elements, plan->sizes.patches, options.flux_per_eye})
+                    .second) {
+      settings.push_back(options);
     }
   }
   return settings;

@@ -24,7 +24,8 @@ const std::vector<std::string>& swept_engines();
 
 /// Every combination of `choices` on top of `base`, without combinations that make_plan() would turn into one
 /// solution: the same plan from several numbers of elements counts once. Combinations that do not fit their
-/// profile's memory are left out. Cost: one meshing a combination.
+/// profile's memory are left out. Cost: a search for a mesh a profile,
+/// engine and number of elements.
 std::vector<BakeOptions> all_settings(const PreparedScene& scene, const BakeOptions& base,
                                       const Choices& choices);
 

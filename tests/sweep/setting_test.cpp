@@ -49,6 +49,21 @@ TEST(Settings, AsOptionsNameEverythingThatIsNotTheProfilesChoice) {
             "--no-overshoot --ambient");
 }
 
+TEST(Settings, SolvedTwiceGiveTheSameFiguresButForTheTime) {
+  const auto scene = sample("cornell");
+  Truth truth;
+  truth.means.assign(scene->model.faces.size(), glm::dvec3(1.0));
+  truth.areas = face_areas(scene->model);
+  truth.emits.assign(scene->model.faces.size(), false);
+  const SweepPoint a = solve_setting(scene->prepared, truth, on_profile("small"), {});
+  const SweepPoint b = solve_setting(scene->prepared, truth, on_profile("small"), {});
+  EXPECT_EQ(a.digest, b.digest);
+  EXPECT_EQ(a.work, b.work);
+  EXPECT_EQ(a.mean_error, b.mean_error);
+  EXPECT_GT(a.mean_error, 0);
+  EXPECT_EQ(a.command, b.command);
+}
+
 TEST(SweepCsv, LeavesACostEmptyThatNoModelGives) {
   SweepPoint point;
   point.options.engine = "rays";

@@ -136,6 +136,7 @@ try {
       if (shots) {
         await view.waitForTimeout(500);
         await view.screenshot({ path: `${shots}/${name}_${scheme}.png`, fullPage: true });
+        await view.screenshot({ path: `${shots}/${name}_${scheme}_top.png` });
       }
       await view.context().close();
     }

@@ -60,5 +60,24 @@ TEST(TuneCommand, KnowsNoOtherTargetsThanTheMeasuredOnes) {
   EXPECT_EQ(run_tool({"tune", sample_scene("cornell"), "--target", "z80"}).exit_code, 2);
 }
 
+TEST(SweepCommand, InterruptedWritesNothing) {
+  const ScratchFolder folder;
+  Tool tool({"sweep", sample_scene("furnished_room"), "-o", folder / "sweep.csv"});
+  ASSERT_TRUE(tool.wait_until_interruptible());
+  tool.interrupt();
+  const Outcome run = tool.finish();
+  EXPECT_EQ(run.exit_code, 130);
+  EXPECT_THAT(run.err, HasSubstr("interrupted: nothing written"));
+  EXPECT_THAT(names_in(folder / ""), IsEmpty());
+}
+
+TEST(SweepCommand, SaysThatASceneFitsNoneOfTheProfiles) {
+  const ScratchFolder folder;
+  const Outcome run = run_tool({"sweep", sample_scene("furnished_room"), "--profile", "tiny", "--engine",
+                                "pixels", "--resolution", "128", "-o", folder / "sweep.csv"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("furnished_room.obj: error: the scene fits none of these profiles"));
+}
+
 }  // namespace
 }  // namespace fixrad::host::testing
