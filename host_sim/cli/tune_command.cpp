@@ -131,6 +131,7 @@ int run_tune(const CommonOptions& options, const TuneOptions& tune_options, cons
       return point;
     });
   }
+  catch_interrupt();  // from here on a file may be open
   if (tuned.interrupted) {
     say(options, "interrupted: nothing found yet");
     return kInterrupted;
