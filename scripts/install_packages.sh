@@ -10,13 +10,14 @@ set -eu
 
 # command:package where any provider of the command will do, else a package that must be installed.
 build="g++:g++ cmake:cmake ninja:ninja-build libcli11-dev libtinygltf-dev nlohmann-json3-dev libpng-dev
-libeigen3-dev libembree-dev libtbb-dev libglm-dev libgeos-dev libgtest-dev libgmock-dev libbenchmark-dev libtinyobjloader-dev"
+libeigen3-dev libembree-dev libtbb-dev libglm-dev libgeos-dev libgtest-dev libgmock-dev libbenchmark-dev libtinyobjloader-dev
+ca-certificates node:nodejs npm:npm python3:python3"
 targets="cmake:cmake ninja:ninja-build python3:python3 cc:gcc libc6-dev
 arm-none-eabi-g++:gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm:qemu-system-arm
 riscv64-unknown-elf-g++:gcc-riscv64-unknown-elf
 xtensa-lx106-elf-g++:gcc-xtensa-lx106 qemu-system-riscv32:qemu-system-misc qemu-system-xtensa:qemu-system-misc
 avr-g++:gcc-avr avr-ar:binutils-avr avr-libc clang++:clang libsimavr-dev libelf-dev"
-checks="ca-certificates clang-format:clang-format clang-tidy:clang-tidy git:git python3:python3 node:nodejs npm:npm"
+checks="ca-certificates clang-format:clang-format clang-tidy:clang-tidy git:git python3:python3 node:nodejs npm:npm chromium:chromium"
 
 case "${1:-}" in
   build) wanted=$build ;;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/cli/search_options.h"
 #include "host_sim/cli/session.h"
 
 namespace fixrad::host {
@@ -71,6 +72,23 @@ int run(int argc, char** argv) {
   add_scene_options(*info, options);
   add_solver_options(*info, options);
 
+  Choices choices;
+  CLI::App* sweep =
+      app.add_subcommand("sweep", "Speed against error over many settings, as a page or a table");
+  add_scene_options(*sweep, options);
+  add_sweep_options(*sweep, options, choices);
+  sweep
+      ->add_option("-o,--output", options.outputs, "File to write, by its suffix; may be given several times")
+      ->check(output_suffix({".html", ".csv"}))
+      ->expected(1)
+      ->required()
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+
+  TuneOptions wish;
+  CLI::App* tune = app.add_subcommand("tune", "The cheapest setting for a core, its memory and an error");
+  add_scene_options(*tune, options);
+  add_tune_options(*tune, options, wish);
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& help) {
@@ -91,6 +109,12 @@ int run(int argc, char** argv) {
   }
   if (truth->parsed()) {
     return run_truth(options);
+  }
+  if (sweep->parsed()) {
+    return run_sweep(options, choices);
+  }
+  if (tune->parsed()) {
+    return run_tune(options, wish, argv[0]);
   }
   return factors->parsed() ? run_form_factors(options) : run_info(options);
 }

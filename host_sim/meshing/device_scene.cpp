@@ -28,10 +28,12 @@ void store(std::int16_t (&out)[3], glm::dvec3 v) {
 // The point in quarters of a grid unit, moved along the normal until the core sees it on the lit side of the
 // face's first corner.
 void store_eye(std::uint16_t (&out)[3], glm::dvec3 point, const FaceFrame& frame, glm::dvec3 corner) {
+  // The core's normal, rounded: at the far end of a large face it stands a grid unit off the exact one.
+  const glm::dvec3 seen = glm::round(frame.normal * static_cast<double>(kUnit)) / static_cast<double>(kUnit);
   glm::dvec3 q(0.0);
   for (double lift = kLift; lift < 40; lift += 1) {
     q = glm::round(point * static_cast<double>(kEyeScale) + lift * frame.normal);
-    if (glm::dot(q - corner * static_cast<double>(kEyeScale), frame.normal) >= 1) {
+    if (glm::dot(q - corner * static_cast<double>(kEyeScale), seen) >= 1) {
       break;
     }
   }

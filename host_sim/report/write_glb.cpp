@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/report/encode.h"
 #include "host_sim/report/mesh_check.h"
 #include "host_sim/report/text.h"
 #include "host_sim/report/tone.h"
@@ -132,14 +133,18 @@ tinygltf::Model make_model(const BakedMesh& mesh, const Display& display) {
 
 }  // namespace
 
-void write_glb(const std::filesystem::path& target, const BakedMesh& mesh, const Display& display) {
+std::string encode_glb(const BakedMesh& mesh, const Display& display) {
   check_mesh(mesh);
   const tinygltf::Model gltf = make_model(mesh, display);
   std::ostringstream stream;
   if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&gltf, stream, false, true)) {
     throw std::runtime_error("the glTF library cannot serialise the mesh");
   }
-  write_text(target, stream.str());
+  return stream.str();
+}
+
+void write_glb(const std::filesystem::path& target, const BakedMesh& mesh, const Display& display) {
+  write_text(target, encode_glb(mesh, display));
 }
 
 }  // namespace fixrad::host

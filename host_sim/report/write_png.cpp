@@ -4,13 +4,13 @@
 #include <stdexcept>
 #include <string>
 
+#include "host_sim/report/encode.h"
 #include "host_sim/report/text.h"
 #include "host_sim/report/writers.h"
 
 namespace fixrad::host {
-namespace {
 
-std::string encode(const Image& image) {
+std::string encode_png(const Image& image) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   png.width = static_cast<png_uint_32>(image.width);
@@ -25,11 +25,9 @@ std::string encode(const Image& image) {
   return bytes;
 }
 
-}  // namespace
-
 void write_png(const std::filesystem::path& target, const BakedMesh& mesh, const Display& display,
                const PictureOptions& options) {
-  write_text(target, encode(render_picture(mesh, display, options)));
+  write_text(target, encode_png(render_picture(mesh, display, options)));
 }
 
 }  // namespace fixrad::host
