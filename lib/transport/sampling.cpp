@@ -127,14 +127,15 @@ Status sample_buried(State& state, uint16_t element, uint32_t rows) {
   return look_from_centroid(state, element, kRowOne, rows, false);
 }
 
-// Where a group's light leaves from: what an element has to send, all channels, cut to 16 bits, so that sums
-// over a face's elements fit 32; its area once faces alone keep account of that.
+// Where a group's light leaves from: what an element has to send, all channels, cut to 25 bits, so that sums
+// over a patch's elements fit 32; once faces alone keep account of that, its area, cut to 16 bits for the
+// elements of a face.
 uint32_t weight_of(const State& state, uint16_t e) {
   if (state.sweep.kind == SourceKind::face) {
     return (flash_at(state.scene.elements, e).area >> 16) + 1;
   }
   Flux unshot[kMaxChannels];
-  return static_cast<uint32_t>(unshot_of(state, element_source(state.scene, e), unshot) >> 17) + 1;
+  return static_cast<uint32_t>(unshot_of(state, element_source(state.scene, e), unshot) >> 8) + 1;
 }
 
 // Eyes at centroids of a group's elements, drawn in proportion to what each has reflected: at equal steps
