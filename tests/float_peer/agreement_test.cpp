@@ -39,7 +39,7 @@ class PeerAndCore : public testing::TestWithParam<Case> {
     options.elements = GetParam().elements;
     options.patches = GetParam().patches;
     options.spans = 1000;
-    options.settings = lune_settings(fraction(1, 1000));
+    options.settings = peer_settings(fraction(1, 1000));
     options.settings.overshoot = GetParam().overshoot;
     return Solution(GetParam().make(), options);
   }
@@ -84,7 +84,7 @@ class PeerFormFactors : public testing::TestWithParam<Case> {};
 TEST_P(PeerFormFactors, OfTheFirstShotAreTheCores) {
   constexpr double kLargest = 0.002;  // of the shot's flux, in one element
   SolveOptions options;
-  options.settings = lune_settings(fraction(1, 1000));
+  options.settings = peer_settings(fraction(1, 1000));
   Solution core(GetParam().make(), options);
   Peer peer;
   ASSERT_EQ(peer.load(core.device().view(), options.settings), Status::ok);
@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, PeerFormFactors,
 TEST(PeerVertices, AreTheCores) {
   constexpr double kMean = 0.005;
   SolveOptions options;
-  options.settings = lune_settings(fraction(1, 1000));
+  options.settings = peer_settings(fraction(1, 1000));
   Solution core(cornell(), options);
   ASSERT_EQ(core.run(), Status::converged);
   const PeerSolution peer(core);
@@ -130,11 +130,11 @@ TEST(PeerVertices, AreTheCores) {
 
 TEST(PeerLoad, RefusesWhatItHasNoLunesFor) {
   SolveOptions options;
-  options.settings = lune_settings(fraction(1, 1000));
+  options.settings = peer_settings(fraction(1, 1000));
   Solution core(cornell(), options);
   Peer peer;
   Settings settings = options.settings;
-  settings.table = &kLune64;
+  settings.table_count = 5;
   EXPECT_EQ(peer.load(core.device().view(), settings), Status::item_buffer_too_small);
   settings = options.settings;
   settings.engine = hemicube_rows;
