@@ -54,7 +54,8 @@ TEST_P(PeerAndCore, AgreeInAboutAsManyShotsWithoutLosingLight) {
   constexpr double kConservation = 1e-4;  // of the emitted flux, by the rounding of sums in float
   Solution core = solve();
   ASSERT_EQ(core.run(), Status::converged);
-  const PeerSolution peer(core);
+  PeerSolution peer(core);
+  ASSERT_EQ(peer.run(), Status::converged);
   for (int c = 0; c < core.device().channels; ++c) {
     const Difference difference = relative_difference(peer.radiosities(c), core.radiosities(c));
     RecordProperty("mean_permille_" + std::to_string(c), std::to_string(1000 * difference.mean));
@@ -116,7 +117,8 @@ TEST(PeerVertices, AreTheCores) {
   options.settings = peer_settings(fraction(1, 1000));
   Solution core(cornell(), options);
   ASSERT_EQ(core.run(), Status::converged);
-  const PeerSolution peer(core);
+  PeerSolution peer(core);
+  ASSERT_EQ(peer.run(), Status::converged);
   const SurfaceMesh mesh = make_surface_mesh(core.prepared(), core.device());
   const VertexMap map = mesh.map();
   std::vector<double> ours, theirs;

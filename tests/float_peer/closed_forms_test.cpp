@@ -20,7 +20,8 @@ TEST_P(PeerFurnace, ReachesTheClosedForm) {
   SolveOptions options;
   options.settings = peer_settings(fraction(1, 10000));
   const Solution core(cube(reflectance, {1, 1, 1, 1, 1, 1}), options);
-  const PeerSolution peer(core);
+  PeerSolution peer(core);
+  ASSERT_EQ(peer.run(), Status::converged);
   double flux = 0, area = 0;
   const std::vector<double> radiosities = peer.radiosities();
   for (std::size_t e = 0; e < radiosities.size(); ++e) {
@@ -42,7 +43,8 @@ TEST(PeerClosedRoom, LosesNoLightThroughItsEdges) {
   SolveOptions options;
   options.settings = peer_settings(fraction(1, 1000));
   const Solution core(cube(0.8, {1, 0, 0, 0, 0, 0}), options);
-  const PeerSolution peer(core);
+  PeerSolution peer(core);
+  ASSERT_EQ(peer.run(), Status::converged);
   EXPECT_LT(peer.state().escaped.c[0], kLeak * peer.state().emitted.c[0]);
   EXPECT_EQ(peer.state().back.c[0], 0.0f);
 }

@@ -18,13 +18,20 @@ Settings peer_settings(Fraction stop) {
   return settings;
 }
 
-PeerSolution::PeerSolution(const Solution& core) : device_(core.device()), peer_(std::make_unique<Peer>()) {
-  Status status = peer_->load(device_.view(), core.state().settings);
+PeerSolution::PeerSolution(const Solution& core) : PeerSolution(core.device(), core.state().settings) {}
+
+PeerSolution::PeerSolution(const DeviceScene& device, const Settings& settings)
+    : device_(device), peer_(std::make_unique<Peer>()) {
+  const Status status = peer_->load(device_.view(), settings);
   EXPECT_EQ(status, Status::ok) << describe(status);
+}
+
+Status PeerSolution::run() {
+  Status status = Status::ok;
   while (status == Status::ok) {
-    status = peer_->step();
+    status = step();
   }
-  EXPECT_EQ(status, Status::converged) << describe(status);
+  return status;
 }
 
 std::vector<double> PeerSolution::radiosities(int channel) const {
@@ -38,10 +45,14 @@ std::vector<double> PeerSolution::radiosities(int channel) const {
 }
 
 // Once faces shoot, their accounts say it; until then it is what elements reflect less what they have sent.
+// What they have not emitted yet comes on top.
 double PeerSolution::unshot(std::size_t channel) const {
   const peer::State& s = peer_->state();
   const bool by_face = s.sweep.kind == SourceKind::face;
   double sum = 0;
+  for (std::uint16_t e = s.next_emitter; e < s.scene.element_count; ++e) {
+    sum += static_cast<double>(peer::emitted_flux(s, e, static_cast<std::uint8_t>(channel)));
+  }
   for (std::size_t i = 0; i < (by_face ? s.scene.face_count : s.scene.element_count); ++i) {
     const double account = static_cast<double>(s.accounts[i * s.scene.channels + channel]);
     sum += by_face ? account : reflected(i, channel) - account;

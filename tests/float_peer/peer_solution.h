@@ -16,11 +16,18 @@ Settings peer_settings(Fraction stop);
 /// The storage that all tests share.
 using Peer = peer::Solver<Limits<400, 300, 2000, 2000>>;
 
-/// The float peer on the scene of a core's solution, with the core's settings, solved until its status is not
-/// ok. Fails the current test unless that is `converged`.
+/// The float peer on the scene of a core's solution, with the core's settings; not yet solved. Fails the
+/// current test if it does not load.
 class PeerSolution {
  public:
   explicit PeerSolution(const Solution& core);
+  /// On a scene of its own, which must outlive it.
+  PeerSolution(const DeviceScene& device, const Settings& settings);
+
+  /// One shot.
+  Status step() { return peer_->step(); }
+  /// Shoots until the status is not ok; returns it.
+  Status run();
 
   const Peer& solver() const { return *peer_; }
   const peer::State& state() const { return peer_->state(); }
