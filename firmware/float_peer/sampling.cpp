@@ -144,12 +144,11 @@ Status sample_element(State& state, uint16_t element, uint32_t eyes, uint32_t ro
 }
 
 // Integers as in the core, so that the running sum of what is drawn from ends where the total says.
-uint32_t weight_of(const State& state, uint16_t e) {
+uint32_t weight_of(const State& state, uint16_t e, Reflectances& reflectances) {
   constexpr float kFluxOfWeight = 131072.0f;
   if (state.sweep.kind == SourceKind::face) {
     return (flash_at(state.scene.elements, e).area >> 16) + 1;
   }
-  Reflectances reflectances(state.scene);
   const Channels unshot = unshot_of(state, element_source(state.scene, e), reflectances);
   return static_cast<uint32_t>(magnitude_of(state, unshot) * (1 / kFluxOfWeight)) + 1;
 }
@@ -158,7 +157,8 @@ uint32_t weight_of(const State& state, uint16_t e) {
 // the running sum of weights, from a beginning that changes from shot to shot.
 class GroupEyes {
  public:
-  GroupEyes(State& state, const EyeSource& source) : state_(state), source_(source) {}
+  GroupEyes(State& state, const EyeSource& source)
+      : state_(state), source_(source), reflectances_(state.scene) {}
 
   Status add_up() {
     for (uint16_t i = 0; i < source_.count; ++i) {
@@ -212,21 +212,23 @@ class GroupEyes {
     const uint16_t e = source_element(state_.scene, source_, i);
     bool is_clear = false;
     const Status status = has_clear_centroid(state_, e, is_clear);
-    weight = is_clear ? weight_of(state_, e) : 0;
+    weight = is_clear ? weight_of(state_, e, reflectances_) : 0;
     return status;
   }
 
   State& state_;
   const EyeSource& source_;
+  Reflectances reflectances_;
   uint32_t total_ = 0;
 };
 
 uint16_t strongest_of(const State& state, const EyeSource& source) {
+  Reflectances reflectances(state.scene);
   uint16_t strongest = source_element(state.scene, source, 0);
-  uint32_t most = weight_of(state, strongest);
+  uint32_t most = weight_of(state, strongest, reflectances);
   for (uint16_t i = 1; i < source.count; ++i) {
     const uint16_t e = source_element(state.scene, source, i);
-    const uint32_t weight = weight_of(state, e);
+    const uint32_t weight = weight_of(state, e, reflectances);
     strongest = weight > most ? e : strongest;
     most = weight > most ? weight : most;
   }
