@@ -32,7 +32,7 @@ const FIXRAD_FLASH Segment* lune_segments();
 constexpr float kMiddleSlope = 0.636206348f;  // 32 g(1/32)
 
 /// Are there lunes for R = 2^resolution_log2?
-inline bool has_lunes(uint8_t resolution_log2) {
+inline bool has_lunes(unsigned resolution_log2) {
   return resolution_log2 >= 2 && resolution_log2 <= 5;
 }
 

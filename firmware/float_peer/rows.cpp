@@ -12,8 +12,7 @@ namespace {
 /// position.
 class RowWriter {
  public:
-  RowWriter(FormFactorRow& row, const LuneRow& lune, const EyeSample& sample)
-      : row_(row), lune_(lune), sample_(sample) {}
+  RowWriter(FormFactorRow& row, const LuneRow& lune) : row_(row), lune_(lune) {}
 
   /// Everything from the end of the last call up to `x` falls on element `slot`.
   void add(uint16_t slot, float x) { row_.share[slot] += take(x); }
@@ -25,12 +24,11 @@ class RowWriter {
     const float sum = lune_.sum_to(x);
     const float part = sum - written_;
     written_ = sum;
-    return sample_.is_whole ? part : part * sample_.weight;
+    return part;
   }
 
   FormFactorRow& row_;
   LuneRow lune_;
-  const EyeSample& sample_;
   float written_ = -0.5f;
 };
 
@@ -105,25 +103,25 @@ void clear(FormFactorRow& row) {
   for (uint16_t j = 0; j < row.count; ++j) {
     row.share[j] = 0.0f;
   }
-  row.whole = 1.0f;
+  row.whole = 0.0f;
   row.escaped = 0.0f;
   row.back = 0.0f;
 }
 
-Status lune_rows(const Scene& scene, const LuneTable& table, const EyeSample& sample, Workspace& work,
-                 FormFactorRow& row) {
-  make_view(scene, sample.eye, sample.back_faces, true, work);
+Status lune_rows(const Scene& scene, const LuneTable& table, const EyePoint& eye, bool back_faces,
+                 Workspace& work, FormFactorRow& row) {
+  make_view(scene, eye, back_faces, true, work);
   enter_rows(scene, table, work);
-  row.whole = static_cast<float>(table.size);
   VisibleSpans visible(work);
   for (uint8_t r = 0; r < table.size; ++r) {
     const LuneRow lune = lune_row(table, r);
     if (!find_visible(scene, r, lune.y, work, visible)) {
       return Status::span_pool_full;
     }
-    RowWriter writer(row, lune, sample);
-    write_row(scene, !sample.back_faces, lune, visible, work, writer);
+    RowWriter writer(row, lune);
+    write_row(scene, !back_faces, lune, visible, work, writer);
   }
+  row.whole += static_cast<float>(table.size);
   return Status::ok;
 }
 

@@ -14,7 +14,7 @@ namespace peer {
 struct FormFactorRow {
   float* share;  ///< [count]
   uint16_t count;
-  float whole;    ///< all of the row: the number of lunes that an eye was sampled with
+  float whole;    ///< all of the row: the number of lunes of all eyes
   float escaped;  ///< hits nothing
   float back;     ///< the nearest hit is a back face
 };
@@ -22,18 +22,10 @@ struct FormFactorRow {
 /// Empties the row.
 void clear(FormFactorRow& row);
 
-/// How one eye point is to be sampled.
-struct EyeSample {
-  EyePoint eye;
-  float weight;     ///< part of the shot that this eye stands for, 0 .. 1
-  bool is_whole;    ///< weight is 1
-  bool back_faces;  ///< back faces block; without, the scene must be closed
-};
-
-/// Lune rows: adds the form factors from one eye point to all elements to `row`, `weight` R in all; row.whole
-/// becomes R. Returns ok, or span_pool_full (`row` is then to be thrown away).
-Status lune_rows(const Scene& scene, const LuneTable& table, const EyeSample& sample, Workspace& work,
-                 FormFactorRow& row);
+/// Lune rows: adds the form factors from one eye point to all elements to `row`, R in all. `back_faces`: they
+/// block; without, the scene must be closed. Returns ok, or span_pool_full (`row` is then to be thrown away).
+Status lune_rows(const Scene& scene, const LuneTable& table, const EyePoint& eye, bool back_faces,
+                 Workspace& work, FormFactorRow& row);
 
 /// Fraction of the hemisphere that is hidden: the nearest face shows its back or, where `nothing_hides`,
 /// there is no face at all. Statuses as above.

@@ -6,10 +6,10 @@
 namespace fixrad {
 namespace peer {
 
-/// Fills state.row with the form factors of `source`, seen from as many balanced eye points as `wanted` asks
-/// for: the core's rules, positions (lib/elements) and order of turns; weights in float.
+/// Fills state.row with the form factors of `source` for a shot of `flux` (sum over channels): the core's
+/// rules for the number of rows and eye points, their positions (lib/elements) and order of turns.
 /// Returns ok, or span_pool_full with the row unusable.
-Status sample_source(State& state, const EyeSource& source, uint16_t wanted, KnownEyes& known);
+Status sample_source(State& state, const EyeSource& source, float flux);
 
 }  // namespace peer
 }  // namespace fixrad

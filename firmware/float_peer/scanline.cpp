@@ -32,20 +32,19 @@ uint8_t rows_below(const LuneTable& table, float t) {
 }
 
 void project(const LuneTable& table, float highest, VertexView& v) {
-  const Vector p = v.offset;
-  v.is_in_front = p.z > kInFront;
+  v.is_in_front = v.z > kInFront;
   if (v.is_in_front) {
-    const float s = 1.0f / p.z;
-    v.px = p.x * s;
-    v.py = p.y * s;
-    v.limit = rows_below(table, v.py);
+    const float s = 1.0f / v.z;
+    v.x *= s;
+    v.y *= s;
+    v.limit = rows_below(table, v.y);
     return;
   }
-  const float depth = magnitude(p.z);
-  if (magnitude(p.y) < highest * depth) {
-    v.limit = rows_below(table, -p.y / depth);
+  const float depth = magnitude(v.z);
+  if (magnitude(v.y) < highest * depth) {
+    v.limit = rows_below(table, -v.y / depth);
   } else {
-    v.limit = p.y > 0.0f ? static_cast<uint8_t>(0) : table.size;
+    v.limit = v.y > 0.0f ? static_cast<uint8_t>(0) : table.size;
   }
 }
 
@@ -74,11 +73,11 @@ void find_rows(const Scene& scene, uint8_t rows, const VertexView* vertices, Fac
 // meets them in front of the eye if its normal's x is below 0, else the face leaves the row at `behind`.
 EdgeCursor start_edge(const VertexView& below, const VertexView& above, float behind) {
   if (below.is_in_front && above.is_in_front) {
-    const VertexView& anchor = below.offset.z > above.offset.z ? below : above;
-    const float slope = (above.px - below.px) / (above.py - below.py);
-    return {anchor.px - anchor.py * slope, slope};
+    const VertexView& anchor = below.z > above.z ? below : above;
+    const float slope = (above.x - below.x) / (above.y - below.y);
+    return {anchor.x - anchor.y * slope, slope};
   }
-  const Vector e = cross(below.offset, above.offset);
+  const Vector e = cross(below.direction(), above.direction());
   if (!(e.x < 0.0f)) {
     return {behind, 0.0f};
   }

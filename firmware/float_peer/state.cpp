@@ -16,17 +16,23 @@ float power_of_two(int exponent) {
   return power;
 }
 
-uint32_t index_of(const State& state, uint16_t record, uint8_t channel) {
-  return static_cast<uint32_t>(record) * state.scene.channels + channel;
+uint32_t index_of(const State& state, uint16_t element, uint8_t channel) {
+  return static_cast<uint32_t>(element) * state.scene.channels + channel;
+}
+
+void clear_light(State& state) {
+  const uint32_t values = static_cast<uint32_t>(state.scene.element_count) * state.scene.channels;
+  for (uint32_t i = 0; i < values; ++i) {
+    state.received[i] = state.accounts[i] = 0.0f;
+  }
+  state.emitted = state.escaped = state.back = state.absorbing_area = {};
 }
 
 void emit(State& state, uint16_t e) {
   const Element element = flash_read(state.scene.elements, e);
   const Channels reflectance = reflectance_of(state.scene, element.material);
   for (uint8_t c = 0; c < state.scene.channels; ++c) {
-    const float flux = emitted_flux(state, e, c);
-    state.emitted.c[c] += flux;
-    state.unshot[index_of(state, element.patch, c)] += flux;
+    state.emitted.c[c] += emitted_flux(state, e, c);
     state.absorbing_area.c[c] += (1.0f - reflectance.c[c]) * static_cast<float>(element.area);
   }
 }
@@ -44,19 +50,18 @@ Channels reflectance_of(const Scene& scene, uint16_t material) {
 }
 
 float emitted_flux(const State& state, uint16_t element, uint8_t channel) {
-  const Element e = flash_read(state.scene.elements, element);
-  const uint32_t emission = flash_read(state.scene.materials, e.material).emission[channel];
+  const Element& e = flash_at(state.scene.elements, element);
+  const uint32_t emission = flash_at(state.scene.materials, e.material).emission[channel];
   return emission == 0 ? 0.0f
                        : static_cast<float>(emission) * state.emission_unit * static_cast<float>(e.area);
 }
 
 void reset(State& state, const Scene& scene, const Settings& settings) {
   state.scene = scene;
-  state.table = lune_table(flash_read(settings.table, 0).resolution_log2);
-  state.coarse = lune_table(flash_read(coarse_table(settings), 0).resolution_log2);
-  state.probe = lune_table(flash_read(settings.probe, 0).resolution_log2);
+  state.coarsest = flash_at(settings.tables, 0).resolution_log2;
+  state.finest = static_cast<uint8_t>(state.coarsest + settings.table_count - 1);
+  state.probe = lune_table(flash_at(settings.probe, 0).resolution_log2);
   state.stop = fraction_of_one(settings.stop.raw);
-  state.flux_per_eye = fraction_of_one(settings.flux_per_eye.raw);
   state.overshoot = settings.overshoot;
   state.emission_unit = power_of_two(-scene.emission_shift);
   state.radiosity_unit = power_of_two(scene.radiosity_shift);
@@ -65,24 +70,23 @@ void reset(State& state, const Scene& scene, const Settings& settings) {
   state.turn = 0;
   state.is_closed = is_closed(scene);
   state.is_enclosed = state.is_closed && is_enclosed(scene);
-  state.emitted = state.escaped = state.back = state.absorbing_area = {};
-  for (uint16_t p = 0; p < scene.patch_count; ++p) {
-    state.known_eyes[p] = 0;
-  }
-  for (uint32_t i = 0; i < static_cast<uint32_t>(scene.patch_count) * scene.channels; ++i) {
-    state.unshot[i] = 0.0f;
-  }
-  for (uint32_t i = 0; i < static_cast<uint32_t>(scene.element_count) * scene.channels; ++i) {
-    state.received[i] = 0.0f;
-  }
+  state.next_emitter = 0;
+  clear_light(state);
   for (uint16_t e = 0; e < scene.element_count; ++e) {
     emit(state, e);
   }
+  float emitted = 0.0f;
+  for (uint8_t c = 0; c < scene.channels; ++c) {
+    emitted += state.emitted.c[c];
+  }
+  state.a_row = emitted * fraction_of_one(settings.flux_per_row.raw);
+  state.an_eye = emitted * fraction_of_one(settings.flux_per_eye.raw);
+  state.sweep = {SourceKind::element, scene.element_count, true, 0.0f, {}};
 }
 
 float exitent_flux(const State& state, uint16_t element, uint8_t channel) {
-  const Element e = flash_read(state.scene.elements, element);
-  const uint32_t reflectance = flash_read(state.scene.materials, e.material).reflectance[channel];
+  const Element& e = flash_at(state.scene.elements, element);
+  const uint32_t reflectance = flash_at(state.scene.materials, e.material).reflectance[channel];
   const float flux = emitted_flux(state, element, channel) +
                      fraction_of_one(reflectance) * state.received[index_of(state, element, channel)];
   return flux < 0.0f ? 0.0f : flux;

@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "firmware/float_peer/rows.h"
+#include "lib/elements/eye_points.h"
 #include "lib/transport/state.h"
 #include "lib/vertices/vertex_radiosity.h"
 
@@ -15,31 +16,38 @@ struct Channels {
   float c[kMaxChannels];
 };
 
+/// Who shoots next, and when, as the core's fixrad::Sweep.
+struct Sweep {
+  SourceKind kind;
+  uint16_t cursor;  ///< next element (also of a face: its first) or patch
+  bool has_shot;    ///< in this pass
+  float threshold;  ///< flux, sum over channels
+  Channels loan;    ///< flux lent in this pass to a reflectance and an area of 1; 0 without overshooting
+};
+
 /// Everything a peer knows. Fluxes and radiosities are in the scene's units, as the core's. The arrays belong
 /// to the storage.
 struct State {
   Scene scene;
-  LuneTable table, coarse, probe;
-  float stop, flux_per_eye;  ///< fractions of the emitted flux
+  uint8_t coarsest, finest;  ///< log2 of the fewest and of the most lunes of an eye
+  LuneTable probe;
+  float stop;  ///< fraction of the emitted flux
   bool overshoot;
   Workspace work;
   FormFactorRow row;
-  float* received;        ///< [element][channel], flux received in all
-  float* unshot;          ///< [patch][channel]
-  KnownEyes* known_eyes;  ///< [patch]
+  float* received;  ///< [element][channel], flux received in all
+  float* accounts;  ///< [element][channel], see unshot.h
   Channels emitted, escaped, back;
   Channels absorbing_area;  ///< sum of (1 - reflectance) area, 1/8 square grid unit
+  float a_row, an_eye;      ///< flux that deserves a row, or an eye point, all channels
   float emission_unit;      ///< 2^-emission_shift
   float radiosity_unit;     ///< 2^radiosity_shift
   uint32_t shots, eyes, withdrawn;
+  Sweep sweep;
+  uint16_t next_emitter;  ///< elements before it have sent what they emit
   uint8_t turn;
   bool is_closed, is_enclosed;
 };
-
-/// The settings' table for shots from one eye point.
-inline const FIXRAD_FLASH fixrad::DeltaTable* coarse_table(const Settings& settings) {
-  return settings.coarse != nullptr ? settings.coarse : settings.table;
-}
 
 /// Puts `scene` into `state`: nothing received, every emitter's flux unshot. The caller has checked the
 /// scene.

@@ -49,8 +49,11 @@ Vec3 from_eye(Vec3 grid_point, Vec3 eye) {
 void place_vertices(const Scene& scene, const Frame& frame, Vec3 eye, VertexView* vertices) {
   for (uint16_t i = 0; i < scene.vertex_count; ++i) {
     VertexView& v = vertices[i];
-    v.offset = frame.to_local(to_float(from_eye(vec(flash_read(scene.vertices, i)), eye)));
-    v.over_horizon = v.offset.z > 0.0f;
+    const Vector offset = frame.to_local(to_float(from_eye(vec(flash_read(scene.vertices, i)), eye)));
+    v.x = offset.x;
+    v.y = offset.y;
+    v.z = offset.z;
+    v.over_horizon = offset.z > 0.0f;
   }
 }
 

@@ -9,10 +9,10 @@
 namespace fixrad {
 namespace peer {
 
-/// A vertex as the current eye sees it, in the eye's frame: z away from the surface. 24 bytes.
+/// A vertex as the current eye sees it, in the eye's frame: z away from the surface. 16 bytes.
 struct VertexView {
-  Vector offset;  ///< from the eye, quarters of a grid unit
-  float px, py;   ///< its image on the plane z = 1; only in front of the eye
+  float x, y;  ///< make_view(): from the eye, as z; then, if it is in front, of its image on the plane z = 1
+  float z;     ///< from the eye, quarters of a grid unit
   uint8_t limit;  ///< the row at which `above` changes: first row not below it in front of the eye, else the
                   ///< first below
   bool is_in_front;
@@ -21,6 +21,9 @@ struct VertexView {
   /// Is the vertex above the plane through the eye and row `row`? One integer comparison, and the same answer
   /// for all faces that share the vertex.
   bool is_above(uint8_t row) const { return (row < limit) == is_in_front; }
+
+  /// Points from the eye to the vertex.
+  Vector direction() const { return {x, y, is_in_front ? 1.0f : z}; }
 };
 
 constexpr uint8_t kNoEdge = 0xff;

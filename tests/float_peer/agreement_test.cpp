@@ -39,7 +39,7 @@ class PeerAndCore : public testing::TestWithParam<Case> {
     options.elements = GetParam().elements;
     options.patches = GetParam().patches;
     options.spans = 1000;
-    options.settings = lune_settings(fraction(1, 1000));
+    options.settings = peer_settings(fraction(1, 1000));
     options.settings.overshoot = GetParam().overshoot;
     return Solution(GetParam().make(), options);
   }
@@ -54,7 +54,8 @@ TEST_P(PeerAndCore, AgreeInAboutAsManyShotsWithoutLosingLight) {
   constexpr double kConservation = 1e-4;  // of the emitted flux, by the rounding of sums in float
   Solution core = solve();
   ASSERT_EQ(core.run(), Status::converged);
-  const PeerSolution peer(core);
+  PeerSolution peer(core);
+  ASSERT_EQ(peer.run(), Status::converged);
   for (int c = 0; c < core.device().channels; ++c) {
     const Difference difference = relative_difference(peer.radiosities(c), core.radiosities(c));
     RecordProperty("mean_permille_" + std::to_string(c), std::to_string(1000 * difference.mean));
@@ -84,7 +85,7 @@ class PeerFormFactors : public testing::TestWithParam<Case> {};
 TEST_P(PeerFormFactors, OfTheFirstShotAreTheCores) {
   constexpr double kLargest = 0.002;  // of the shot's flux, in one element
   SolveOptions options;
-  options.settings = lune_settings(fraction(1, 1000));
+  options.settings = peer_settings(fraction(1, 1000));
   Solution core(GetParam().make(), options);
   Peer peer;
   ASSERT_EQ(peer.load(core.device().view(), options.settings), Status::ok);
@@ -113,10 +114,11 @@ INSTANTIATE_TEST_SUITE_P(Scenes, PeerFormFactors,
 TEST(PeerVertices, AreTheCores) {
   constexpr double kMean = 0.005;
   SolveOptions options;
-  options.settings = lune_settings(fraction(1, 1000));
+  options.settings = peer_settings(fraction(1, 1000));
   Solution core(cornell(), options);
   ASSERT_EQ(core.run(), Status::converged);
-  const PeerSolution peer(core);
+  PeerSolution peer(core);
+  ASSERT_EQ(peer.run(), Status::converged);
   const SurfaceMesh mesh = make_surface_mesh(core.prepared(), core.device());
   const VertexMap map = mesh.map();
   std::vector<double> ours, theirs;
@@ -130,11 +132,11 @@ TEST(PeerVertices, AreTheCores) {
 
 TEST(PeerLoad, RefusesWhatItHasNoLunesFor) {
   SolveOptions options;
-  options.settings = lune_settings(fraction(1, 1000));
+  options.settings = peer_settings(fraction(1, 1000));
   Solution core(cornell(), options);
   Peer peer;
   Settings settings = options.settings;
-  settings.table = &kLune64;
+  settings.table_count = 5;
   EXPECT_EQ(peer.load(core.device().view(), settings), Status::item_buffer_too_small);
   settings = options.settings;
   settings.engine = hemicube_rows;

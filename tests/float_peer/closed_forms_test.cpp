@@ -18,9 +18,10 @@ TEST_P(PeerFurnace, ReachesTheClosedForm) {
   constexpr double kBar = 0.005;
   const double reflectance = GetParam();
   SolveOptions options;
-  options.settings = lune_settings(fraction(1, 10000));
+  options.settings = peer_settings(fraction(1, 10000));
   const Solution core(cube(reflectance, {1, 1, 1, 1, 1, 1}), options);
-  const PeerSolution peer(core);
+  PeerSolution peer(core);
+  ASSERT_EQ(peer.run(), Status::converged);
   double flux = 0, area = 0;
   const std::vector<double> radiosities = peer.radiosities();
   for (std::size_t e = 0; e < radiosities.size(); ++e) {
@@ -40,9 +41,10 @@ INSTANTIATE_TEST_SUITE_P(Reflectance, PeerFurnace, testing::Values(0.5, 0.9), []
 TEST(PeerClosedRoom, LosesNoLightThroughItsEdges) {
   constexpr float kLeak = 1e-5f;  // of the emitted flux
   SolveOptions options;
-  options.settings = lune_settings(fraction(1, 1000));
+  options.settings = peer_settings(fraction(1, 1000));
   const Solution core(cube(0.8, {1, 0, 0, 0, 0, 0}), options);
-  const PeerSolution peer(core);
+  PeerSolution peer(core);
+  ASSERT_EQ(peer.run(), Status::converged);
   EXPECT_LT(peer.state().escaped.c[0], kLeak * peer.state().emitted.c[0]);
   EXPECT_EQ(peer.state().back.c[0], 0.0f);
 }

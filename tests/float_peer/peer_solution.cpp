@@ -8,22 +8,30 @@
 
 namespace fixrad::host {
 
-Settings lune_settings(Fraction stop) {
+Settings peer_settings(Fraction stop) {
   Settings settings;
   settings.engine = lune_rows;
-  settings.table = &kLune32;
-  settings.probe = &kLune4;
+  settings.tables = kLunes;
+  settings.table_count = 4;
+  settings.probe = kLunes;
   settings.stop = stop;
   return settings;
 }
 
-PeerSolution::PeerSolution(const Solution& core) : device_(core.device()), peer_(std::make_unique<Peer>()) {
-  Status status = peer_->load(device_.view(), core.state().settings);
+PeerSolution::PeerSolution(const Solution& core) : PeerSolution(core.device(), core.state().settings) {}
+
+PeerSolution::PeerSolution(const DeviceScene& device, const Settings& settings)
+    : device_(device), peer_(std::make_unique<Peer>()) {
+  const Status status = peer_->load(device_.view(), settings);
   EXPECT_EQ(status, Status::ok) << describe(status);
+}
+
+Status PeerSolution::run() {
+  Status status = Status::ok;
   while (status == Status::ok) {
-    status = peer_->step();
+    status = step();
   }
-  EXPECT_EQ(status, Status::converged) << describe(status);
+  return status;
 }
 
 std::vector<double> PeerSolution::radiosities(int channel) const {
@@ -36,19 +44,40 @@ std::vector<double> PeerSolution::radiosities(int channel) const {
   return all;
 }
 
+// Once faces shoot, their accounts say it; until then it is what elements reflect less what they have sent.
+// What they have not emitted yet comes on top.
+double PeerSolution::unshot(std::size_t channel) const {
+  const peer::State& s = peer_->state();
+  const bool by_face = s.sweep.kind == SourceKind::face;
+  double sum = 0;
+  for (std::uint16_t e = s.next_emitter; e < s.scene.element_count; ++e) {
+    sum += static_cast<double>(peer::emitted_flux(s, e, static_cast<std::uint8_t>(channel)));
+  }
+  for (std::size_t i = 0; i < (by_face ? s.scene.face_count : s.scene.element_count); ++i) {
+    const double account = static_cast<double>(s.accounts[i * s.scene.channels + channel]);
+    sum += by_face ? account : reflected(i, channel) - account;
+  }
+  return sum;
+}
+
+double PeerSolution::reflected(std::size_t element, std::size_t channel) const {
+  const fixrad::Material& material = device_.materials[device_.elements[element].material];
+  return std::ldexp(material.reflectance[channel], -32) * received(element, channel);
+}
+
+double PeerSolution::received(std::size_t element, std::size_t channel) const {
+  const peer::State& s = peer_->state();
+  return static_cast<double>(s.received[element * s.scene.channels + channel]);
+}
+
 double PeerSolution::imbalance() const {
   const peer::State& s = peer_->state();
   double worst = 0;
   for (std::size_t c = 0; c < s.scene.channels; ++c) {
     double sum = static_cast<double>(s.emitted.c[c]) - static_cast<double>(s.escaped.c[c]) -
-                 static_cast<double>(s.back.c[c]);
+                 static_cast<double>(s.back.c[c]) - unshot(c);
     for (std::size_t e = 0; e < s.scene.element_count; ++e) {
-      const auto material = device_.materials[device_.elements[e].material];
-      const double absorptance = 1 - std::ldexp(material.reflectance[c], -32);
-      sum -= absorptance * static_cast<double>(s.received[e * s.scene.channels + c]);
-    }
-    for (std::size_t p = 0; p < s.scene.patch_count; ++p) {
-      sum -= static_cast<double>(s.unshot[p * s.scene.channels + c]);
+      sum -= received(e, c) - reflected(e, c);
     }
     worst = std::max(worst, std::abs(sum) / static_cast<double>(s.emitted.c[c]));
   }

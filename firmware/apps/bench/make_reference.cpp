@@ -2,8 +2,9 @@
 // Solves a scene of `bench` in double and prints a header with the radiosities of its elements:
 //     make_bench_reference cornell_small > firmware/apps/bench/reference/cornell_small.h
 // Two solutions. `same_shots`: the shots and eye points of the core's run, in double; against it the core
-// has the error of its arithmetic alone. `fine`: as many eye points as the core can use and 128 rows in each,
-// in double; against it everything counts that a run with the scene's own settings leaves out.
+// has the error of its arithmetic alone. `fine`: every element by itself with as many eye points as the core
+// can use and 128 rows in each, in double; against it everything counts that a run with the scene's own
+// settings leaves out.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -47,9 +48,10 @@ Radiosities solve_in_double(const Scene& scene, Settings settings, const Sizes& 
 }
 
 Settings fine(Settings settings) {
-  settings.table = &kLune128;
-  settings.coarse = nullptr;
-  settings.probe = &kLune32;
+  settings.tables = &kLunes[kLuneTables - 1];
+  settings.table_count = 1;
+  settings.probe = &kLunes[3];
+  settings.flux_per_row = fraction(1, 1000000);
   settings.flux_per_eye = fraction(1, 100000);
   settings.stop = fraction(1, 10000);
   return settings;
@@ -66,8 +68,7 @@ void print_table(const char* name, const Radiosities& values) {
 template <class Limits>
 void print_scene(const char* name, const Scene& scene, const Settings& settings) {
   constexpr std::uint32_t kSpans = 1000;
-  const Sizes sizes = {
-      Limits::vertices, Limits::faces, Limits::elements, Limits::patches, kSpans, Limits::channels, 0};
+  const Sizes sizes = {Limits::vertices, Limits::faces, Limits::elements, kSpans, Limits::channels, 0};
   std::printf(
       "// SPDX-License-Identifier: MIT\n// clang-format off\n"
       "// Made by firmware/apps/bench/make_reference.cpp; do not edit.\n"
