@@ -142,6 +142,7 @@ Scene TwinRoom::scene(unsigned channels) {
           patches_.data(),
           patch_elements_.data(),
           materials_.data(),
+          nullptr,
           count(vertices_),
           count(corners_),
           count(faces_),
