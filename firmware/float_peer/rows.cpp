@@ -108,9 +108,9 @@ void clear(FormFactorRow& row) {
   row.back = 0.0f;
 }
 
-Status lune_rows(const Scene& scene, const LuneTable& table, const EyePoint& eye, bool back_faces,
+Status lune_rows(const Scene& scene, const LuneTable& table, const EyePoint& eye, Backs backs,
                  Workspace& work, FormFactorRow& row) {
-  make_view(scene, eye, back_faces, true, work);
+  make_view(scene, eye, backs, true, work);
   enter_rows(scene, table, work);
   VisibleSpans visible(work);
   for (uint8_t r = 0; r < table.size; ++r) {
@@ -119,7 +119,7 @@ Status lune_rows(const Scene& scene, const LuneTable& table, const EyePoint& eye
       return Status::span_pool_full;
     }
     RowWriter writer(row, lune);
-    write_row(scene, !back_faces, lune, visible, work, writer);
+    write_row(scene, backs == Backs::none, lune, visible, work, writer);
   }
   row.whole += static_cast<float>(table.size);
   return Status::ok;
@@ -127,7 +127,7 @@ Status lune_rows(const Scene& scene, const LuneTable& table, const EyePoint& eye
 
 Status hidden_share(const Scene& scene, const LuneTable& table, const EyePoint& eye, bool nothing_hides,
                     Workspace& work, float& share) {
-  make_view(scene, eye, true, false, work);
+  make_view(scene, eye, Backs::all, false, work);
   enter_rows(scene, table, work);
   VisibleSpans visible(work);
   float hidden = 0.0f;

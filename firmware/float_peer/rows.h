@@ -22,9 +22,9 @@ struct FormFactorRow {
 /// Empties the row.
 void clear(FormFactorRow& row);
 
-/// Lune rows: adds the form factors from one eye point to all elements to `row`, R in all. `back_faces`: they
-/// block; without, the scene must be closed. Returns ok, or span_pool_full (`row` is then to be thrown away).
-Status lune_rows(const Scene& scene, const LuneTable& table, const EyePoint& eye, bool back_faces,
+/// Lune rows: adds the form factors from one eye point to all elements to `row`, R in all. Without
+/// backs the scene must be closed. Returns ok, or span_pool_full (`row` is then to be thrown away).
+Status lune_rows(const Scene& scene, const LuneTable& table, const EyePoint& eye, Backs backs,
                  Workspace& work, FormFactorRow& row);
 
 /// Fraction of the hemisphere that is hidden: the nearest face shows its back or, where `nothing_hides`,

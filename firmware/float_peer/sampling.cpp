@@ -29,8 +29,9 @@ LuneTable table_for(const State& state, uint32_t rows) {
   return lune_table(log2);
 }
 
-Status look(State& state, const LuneTable& table, const EyePoint& eye) {
-  const Status status = lune_rows(state.scene, table, eye, !state.is_closed, state.work, state.row);
+Status look(State& state, const LuneTable& table, const EyePoint& eye, Backs open) {
+  const Backs backs = state.is_closed ? Backs::none : open;
+  const Status status = lune_rows(state.scene, table, eye, backs, state.work, state.row);
   state.eyes += status == Status::ok ? 1u : 0u;
   return status;
 }
@@ -53,9 +54,9 @@ Status has_clear_centroid(State& state, uint16_t e, bool& is_clear) {
   return probe(state, {vec(element.eye), element.face, 0}, is_clear);
 }
 
-Status look_from_centroid(State& state, uint16_t e, uint32_t rows) {
+Status look_from_centroid(State& state, uint16_t e, uint32_t rows, Backs open) {
   const Element element = flash_read(state.scene.elements, e);
-  return look(state, table_for(state, rows), eye_at(state, vec(element.eye), element.face));
+  return look(state, table_for(state, rows), eye_at(state, vec(element.eye), element.face), open);
 }
 
 // The eyes of one element's subdivision, equally strong.
@@ -94,7 +95,7 @@ class ElementEyes {
         continue;
       }
       const EyeCandidate candidate = eye_candidate(state_.scene, element_, level_, i);
-      const Status status = look(state_, table, eye_at(state_, candidate.position, face));
+      const Status status = look(state_, table, eye_at(state_, candidate.position, face), Backs::unsealed);
       if (status != Status::ok) {
         return status;
       }
@@ -117,7 +118,7 @@ Status sample_buried(State& state, uint16_t element, uint32_t rows) {
     state.row.share[element] = state.row.whole = 1.0f;
     return Status::ok;
   }
-  return look_from_centroid(state, element, rows);
+  return look_from_centroid(state, element, rows, Backs::all);
 }
 
 Status sample_element(State& state, uint16_t element, uint32_t eyes, uint32_t rows) {
@@ -126,7 +127,7 @@ Status sample_element(State& state, uint16_t element, uint32_t eyes, uint32_t ro
     bool is_clear = false;
     const Status status = has_clear_centroid(state, element, is_clear);
     if (status != Status::ok || is_clear) {
-      return status != Status::ok ? status : look_from_centroid(state, element, rows);
+      return status != Status::ok ? status : look_from_centroid(state, element, rows, Backs::unsealed);
     }
     level = 2;
   }
@@ -187,7 +188,8 @@ class GroupEyes {
         return status;
       }
       const Element element = flash_read(state_.scene.elements, source_element(state_.scene, source_, i));
-      const Status seen = look(state_, table, eye_at(state_, vec(element.eye), element.face));
+      const Status seen =
+          look(state_, table, eye_at(state_, vec(element.eye), element.face), Backs::unsealed);
       if (seen != Status::ok) {
         return seen;
       }

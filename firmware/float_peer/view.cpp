@@ -86,7 +86,7 @@ void make_grid(const Face& face, const Frame& frame, Vec3 eye, float inverse_hei
 
 }  // namespace
 
-void make_view(const Scene& scene, const EyePoint& eye, bool back_faces, bool grids, Workspace& work) {
+void make_view(const Scene& scene, const EyePoint& eye, Backs backs, bool grids, Workspace& work) {
   const Frame frame = make_frame(flash_read(scene.faces, eye.face), eye.turn);
   place_vertices(scene, frame, eye.position, work.vertices);
   work.view_count = 0;
@@ -99,7 +99,7 @@ void make_view(const Scene& scene, const EyePoint& eye, bool back_faces, bool gr
     const Vec3 corner = vec(flash_read(scene.vertices, face_corner(scene, face, 0)));
     const float height = -dot(normal, to_float(from_eye(corner, eye.position)));
     const bool is_back = height < -kEdgeOn;
-    if (is_back && !back_faces) {
+    if (is_back && (backs == Backs::none || (backs == Backs::unsealed && face.is_sealed != 0))) {
       continue;
     }
     FaceView& view = work.views[work.view_count++];

@@ -83,10 +83,10 @@ struct Workspace {
   uint16_t view_count;
 };
 
-/// Prepares the view from `eye`: offsets of all vertices, planes of all faces that can be seen or, where
-/// `back_faces` asks for it, block; their grids too, unless nobody will ask for elements. Cost: 9 products a
+/// Prepares the view from `eye`: offsets of all vertices, planes of all faces that can be seen or whose backs
+/// take part; their grids too, unless nobody will ask for elements. Cost: 9 products a
 /// vertex, 15 a face and as many a grid axis, two divisions a face.
-void make_view(const Scene& scene, const EyePoint& eye, bool back_faces, bool grids, Workspace& work);
+void make_view(const Scene& scene, const EyePoint& eye, Backs backs, bool grids, Workspace& work);
 
 }  // namespace peer
 }  // namespace fixrad

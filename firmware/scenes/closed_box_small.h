@@ -145,31 +145,13 @@ constexpr FIXRAD_IN_FLASH fixrad::Element kElements[] = {
     {59528598u, {49133, 5488, 65498}, 53, 5, 0}, {59528598u, {60044, 5488, 65498}, 53, 5, 0},
 };
 constexpr FIXRAD_IN_FLASH fixrad::Patch kPatches[] = {
-    {{34, 54589, 10943}, 0, 0, 4, 1}, {{34, 54589, 32766}, 0, 4, 4, 1}, {{34, 54589, 54589}, 0, 8, 4, 1},
-    {{34, 32766, 10943}, 0, 12, 4, 1}, {{34, 32766, 32766}, 0, 16, 4, 1}, {{34, 32766, 54589}, 0, 20, 4, 1},
-    {{34, 10943, 10943}, 0, 24, 4, 1}, {{34, 10943, 32766}, 0, 28, 4, 1}, {{34, 10943, 54589}, 0, 32, 4, 1},
-    {{65498, 10943, 54589}, 1, 36, 4, 1}, {{65498, 32766, 54589}, 1, 40, 4, 1},
-    {{65498, 54589, 54589}, 1, 44, 4, 1}, {{65498, 10943, 32766}, 1, 48, 4, 1},
-    {{65498, 32766, 32766}, 1, 52, 4, 1}, {{65498, 54589, 32766}, 1, 56, 4, 1},
-    {{65498, 10943, 10943}, 1, 60, 4, 1}, {{65498, 32766, 10943}, 1, 64, 4, 1},
-    {{65498, 54589, 10943}, 1, 68, 4, 1}, {{10943, 34, 54589}, 2, 72, 4, 1},
-    {{32766, 34, 54589}, 2, 76, 4, 1}, {{54589, 34, 54589}, 2, 80, 4, 1}, {{10943, 34, 32766}, 2, 84, 4, 1},
-    {{32766, 34, 32766}, 2, 88, 4, 1}, {{54589, 34, 32766}, 2, 92, 4, 1}, {{10943, 34, 10943}, 2, 96, 4, 1},
-    {{32766, 34, 10943}, 2, 100, 4, 1}, {{54589, 34, 10943}, 2, 104, 4, 1},
-    {{54589, 65498, 10943}, 3, 108, 4, 1}, {{54589, 65498, 32766}, 3, 112, 4, 1},
-    {{54589, 65498, 54589}, 3, 116, 4, 1}, {{32766, 65498, 10943}, 3, 120, 4, 1},
-    {{32766, 65498, 32766}, 3, 124, 4, 1}, {{32766, 65498, 54589}, 3, 128, 4, 1},
-    {{10943, 65498, 10943}, 3, 132, 4, 1}, {{10943, 65498, 32766}, 3, 136, 4, 1},
-    {{10943, 65498, 54589}, 3, 140, 4, 1}, {{54589, 10943, 34}, 4, 144, 4, 1},
-    {{54589, 32766, 34}, 4, 148, 4, 1}, {{54589, 54589, 34}, 4, 152, 4, 1},
-    {{32766, 10943, 34}, 4, 156, 4, 1}, {{32766, 32766, 34}, 4, 160, 4, 1},
-    {{32766, 54589, 34}, 4, 164, 4, 1}, {{10943, 10943, 34}, 4, 168, 4, 1},
-    {{10943, 32766, 34}, 4, 172, 4, 1}, {{10943, 54589, 34}, 4, 176, 4, 1},
-    {{10943, 54589, 65498}, 5, 180, 4, 1}, {{32766, 54589, 65498}, 5, 184, 4, 1},
-    {{54589, 54589, 65498}, 5, 188, 4, 1}, {{10943, 32766, 65498}, 5, 192, 4, 1},
-    {{32766, 32766, 65498}, 5, 196, 4, 1}, {{54589, 32766, 65498}, 5, 200, 4, 1},
-    {{10943, 10943, 65498}, 5, 204, 4, 1}, {{32766, 10943, 65498}, 5, 208, 4, 1},
-    {{54589, 10943, 65498}, 5, 212, 4, 1},
+    {0, 0, 4}, {0, 4, 4}, {0, 8, 4}, {0, 12, 4}, {0, 16, 4}, {0, 20, 4}, {0, 24, 4}, {0, 28, 4}, {0, 32, 4},
+    {1, 36, 4}, {1, 40, 4}, {1, 44, 4}, {1, 48, 4}, {1, 52, 4}, {1, 56, 4}, {1, 60, 4}, {1, 64, 4},
+    {1, 68, 4}, {2, 72, 4}, {2, 76, 4}, {2, 80, 4}, {2, 84, 4}, {2, 88, 4}, {2, 92, 4}, {2, 96, 4},
+    {2, 100, 4}, {2, 104, 4}, {3, 108, 4}, {3, 112, 4}, {3, 116, 4}, {3, 120, 4}, {3, 124, 4}, {3, 128, 4},
+    {3, 132, 4}, {3, 136, 4}, {3, 140, 4}, {4, 144, 4}, {4, 148, 4}, {4, 152, 4}, {4, 156, 4}, {4, 160, 4},
+    {4, 164, 4}, {4, 168, 4}, {4, 172, 4}, {4, 176, 4}, {5, 180, 4}, {5, 184, 4}, {5, 188, 4}, {5, 192, 4},
+    {5, 196, 4}, {5, 200, 4}, {5, 204, 4}, {5, 208, 4}, {5, 212, 4},
 };
 constexpr FIXRAD_IN_FLASH uint16_t kPatchElements[] = {
     0, 1, 6, 7, 2, 3, 8, 9, 4, 5, 10, 11, 12, 13, 18, 19, 14, 15, 20, 21, 16, 17, 22, 23, 24, 25, 30, 31, 26,
@@ -185,6 +167,62 @@ constexpr FIXRAD_IN_FLASH uint16_t kPatchElements[] = {
 };
 constexpr FIXRAD_IN_FLASH fixrad::Material kMaterials[] = {
     {{2147483648u, 2147483648u, 2147483648u}, {2840570095u, 2840570095u, 2840570095u}},
+};
+constexpr FIXRAD_IN_FLASH fixrad::Sight kSights[] = {
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
+    fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear, fixrad::Sight::all_clear,
 };
 constexpr FIXRAD_IN_FLASH fixrad::MeshVertex kMeshVertices[] = {
     {0u, 2u, 1}, {1u, 2u, 2}, {3u, 4294967295u, 4}, {7u, 2u, 2}, {9u, 5u, 2}, {11u, 4294967295u, 4},
@@ -299,6 +337,7 @@ static inline fixrad::Scene scene() {
   result.patches = kPatches;
   result.patch_elements = kPatchElements;
   result.materials = kMaterials;
+  result.sights = kSights;
   result.vertex_count = 8;
   result.corner_count = 24;
   result.face_count = 6;
@@ -323,50 +362,51 @@ static inline fixrad::VertexMap vertex_map() {
 static inline fixrad::Settings settings() {
   fixrad::Settings result = {};
   result.engine = fixrad::lune_rows;
-  result.table = &fixrad::kLune16;
-  result.coarse = &fixrad::kLune8;
-  result.probe = &fixrad::kLune4;
+  result.tables = fixrad::kLunes + 0;
+  result.table_count = 4;
+  result.probe = fixrad::kLunes + 0;
   result.stop = fixrad::Fraction::from_raw(4294967u);
-  result.flux_per_eye = fixrad::Fraction::from_raw(25769803u);
+  result.flux_per_row = fixrad::Fraction::from_raw(1988410u);
+  result.flux_per_eye = fixrad::Fraction::from_raw(429496729u);
   result.overshoot = true;
   return result;
 }
 
-// Vertices, faces, elements, patches, spans, channels, resolution of the item buffer.
-using Limits = fixrad::Limits<8, 6, 216, 96, 21, 1, 0>;
+// Vertices, faces, elements, spans, channels, resolution of the item buffer.
+using Limits = fixrad::Limits<8, 6, 216, 21, 1, 0>;
 using Solver = fixrad::Solver<Limits>;
 
 namespace expected {
 
-constexpr uint64_t kDigest = 0x097af9cd42d0cecbull;
-constexpr uint32_t kShots = 117u;
-constexpr uint32_t kEyes = 798u;
+constexpr uint64_t kDigest = 0xcc72a52320f0090full;
+constexpr uint32_t kShots = 542u;
+constexpr uint32_t kEyes = 625u;
 // A line a channel: emitted, absorbed, unshot, escaped, back; units of flux.
 constexpr FIXRAD_IN_FLASH int64_t kLedger[][5] = {
-    {531502128, 531885013, -382885, 0, 0},
+    {531502128, 531966691, -464563, 0, 0},
 };
 // [element][channel], units of flux.
 constexpr FIXRAD_IN_FLASH int32_t kReceived[] = {
-    4912646, 5009178, 4964885, 4834809, 5038274, 4636497, 5104611, 5051094, 4973076, 4979825, 5102377,
-    4838444, 4937190, 5006448, 4875570, 5004980, 5061875, 4792768, 4838601, 4981131, 4940915, 4877265,
-    5004168, 4758057, 4936756, 5122375, 4998153, 5035114, 5232008, 4872708, 4752515, 4816772, 4763726,
-    4979411, 4813881, 4533632, 4523301, 4837303, 4772917, 4649926, 4864287, 4602744, 4895072, 5171823,
-    5004415, 5067816, 5169267, 5021593, 4838013, 5185218, 4892840, 4961774, 5009866, 4859429, 4776649,
-    5128303, 5011787, 4908540, 4938039, 4879366, 4789933, 5155725, 4873975, 5005332, 5103440, 4942010,
-    4658533, 4865037, 4927617, 5086604, 5002769, 4956259, 4576571, 4766174, 4795640, 4677189, 4841422,
-    4452391, 4902575, 5165490, 5112675, 5045887, 5203629, 4839137, 4787667, 5072251, 4926599, 4874525,
-    5216526, 4723707, 4916490, 5016697, 4852240, 5006605, 5017979, 4710212, 4943421, 5091306, 5105587,
-    5132637, 5187938, 4883910, 4802121, 4830011, 4896600, 4818192, 4878476, 4659003, 4857191, 4920756,
-    4780302, 4734854, 4934134, 4511812, 5098205, 5069981, 5021623, 5148937, 5141863, 4858268, 4867638,
-    5064231, 5014367, 4833206, 5034622, 4801921, 5032673, 5041549, 4902532, 4987304, 4980143, 4857517,
-    5040405, 5144421, 4939472, 5058800, 5176235, 4876111, 4930596, 4854850, 4842915, 4818696, 4804575,
-    4636608, 4534838, 4829861, 4804911, 4787878, 4983602, 4686304, 4835655, 5150948, 5078507, 5110215,
-    5214555, 4824063, 4687512, 5067266, 5076762, 4916157, 5277144, 4726291, 4833128, 5057165, 4985965,
-    5062232, 5088491, 4813185, 4906201, 5183771, 5099007, 5070010, 5258658, 4847593, 4598838, 4812922,
-    4733870, 4831164, 4933221, 4753899, 4704473, 4925825, 4853065, 4854130, 4951029, 4703657, 4863933,
-    5145132, 5009658, 5077152, 5101861, 4897669, 4978869, 4939345, 4923123, 4949838, 4997986, 4811391,
-    4817532, 4911047, 5061977, 4927248, 5016161, 4837246, 4985525, 5154647, 5039569, 5021005, 5133690,
-    4838519, 4529066, 4909063, 4880871, 4869221, 4965380, 4654162,
+    4467992, 5083983, 4837699, 4856556, 4868525, 4798480, 4830242, 5057966, 4942464, 5039743, 5207273,
+    4850002, 4847932, 5077371, 4894516, 4864164, 4846727, 5013842, 4897788, 5191686, 4904835, 5149650,
+    5078420, 4934676, 4908788, 5133140, 5085770, 5197916, 5015319, 4879507, 4445396, 4917435, 4901161,
+    4474217, 5071242, 4402161, 4504735, 5126207, 4769568, 4781307, 4904005, 4805758, 4756221, 5224099,
+    5289511, 4789065, 5081811, 4850098, 4660051, 5066408, 4816959, 5100952, 5112479, 4803915, 4562250,
+    5069686, 4888776, 4967106, 5086365, 4702546, 4674617, 5311159, 5049727, 5000331, 5185658, 4999992,
+    4468251, 4724905, 4821915, 4795898, 5076135, 4619581, 4679868, 5065900, 4835154, 4851059, 5041838,
+    4411191, 4925679, 5017953, 5179172, 5163318, 5286080, 4849475, 4566720, 5181046, 5003578, 5071213,
+    4897035, 4675584, 4739410, 4768475, 5124586, 4762640, 5229049, 4974425, 4839902, 5566619, 5207368,
+    4970511, 5223779, 4807894, 4519758, 4971533, 4990609, 4968611, 5104697, 4503217, 4557364, 5072029,
+    4681767, 4707421, 4766796, 4705180, 4737390, 5407184, 5238307, 5002323, 5245431, 4765009, 4923184,
+    5131477, 4570777, 5110248, 5199619, 4904014, 4955041, 5129102, 5208353, 5118305, 4858717, 4802773,
+    4930238, 5080651, 5079652, 5156220, 5065722, 5160371, 4663984, 4724199, 4652027, 4794514, 4877861,
+    4592371, 4434632, 4703730, 4748999, 4559096, 4911322, 4493592, 4931546, 5182025, 5122477, 4911193,
+    5369576, 4983796, 4863115, 5305374, 4903414, 5115286, 5102628, 4862774, 4905941, 5087620, 5006033,
+    5022307, 5242596, 4865793, 4834416, 5312870, 5033790, 5108937, 5043789, 4627766, 4461858, 4986691,
+    4723557, 4628695, 4834509, 4271687, 4594418, 4980500, 4922129, 4912197, 5166128, 4832358, 4891100,
+    5328505, 5136535, 5084989, 5111654, 4941744, 4892486, 5025040, 5141350, 4849434, 4942061, 4576131,
+    4527588, 5110743, 5174833, 5114514, 5154887, 4642882, 4961701, 5386897, 5013054, 5048609, 5163996,
+    4958374, 4863449, 4815630, 4843651, 4785742, 5035058, 4526280,
 };
 
 }  // namespace expected

@@ -16,6 +16,9 @@ struct EyePoint {
 
 constexpr int kTurns = 16;
 
+/// Which backs of faces take part in a view: they block and are black.
+enum class Backs : uint8_t { none, unsealed, all };
+
 /// The view's axes in grid space, Q14, |v| < 16,391; z is the normal of the face, rows run along x.
 struct EyeFrame {
   Vec3 x, y, z;

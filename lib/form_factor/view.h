@@ -76,9 +76,6 @@ struct Workspace {
   uint32_t gaps_closed;      ///< uncovered intervals of closed scenes that were given to a neighbour
 };
 
-/// Which backs of faces take part in a view: they block and are black.
-enum class Backs : uint8_t { none, unsealed, all };
-
 /// Prepares the view from `eye`: directions to all vertices, planes of all faces that can be seen or whose
 /// backs take part. Cost: 9 products a vertex, 15 and a division
 /// a face.

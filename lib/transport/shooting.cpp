@@ -85,8 +85,10 @@ void distribute(State& state, const Flux* amount) {
 }
 
 Status fire(State& state, const Shot& shot, uint64_t flux) {
+  const uint8_t turn = state.turn;
   const Status status = sample_source(state, shot.source, flux);
   if (status != Status::ok) {
+    state.turn = turn;  // the next attempt looks as this one did
     return status;
   }
   if (state.settings.near_field != nullptr && shot.source.kind == SourceKind::element) {

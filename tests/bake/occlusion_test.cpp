@@ -39,11 +39,12 @@ TEST(Plan, GivesRaysTheirOwnResolutions) {
   const auto scene = sample("cornell");
   BakeOptions options = on_profile("small");
   options.engine = "rays";
-  EXPECT_EQ(make_settings(options, make_plan(scene->prepared, options)).table, &kLune16);
+  EXPECT_EQ(make_settings(options, make_plan(scene->prepared, options)).tables, kLunes + 2);
   options.resolution = 4;
   const Settings settings = make_settings(options, make_plan(scene->prepared, options));
   EXPECT_EQ(settings.engine, ray_row);
-  EXPECT_EQ(settings.table, &kLune4);
+  EXPECT_EQ(settings.tables, kLunes);
+  EXPECT_EQ(settings.table_count, 1);
   EXPECT_TRUE(has_resolution("rays", 32) && has_resolution("lunes", 8));
   EXPECT_FALSE(has_resolution("rays", 64) || has_resolution("rows", 4));
 }

@@ -16,9 +16,8 @@ TEST(Plan, FitsEveryProfileThatTakesTheScene) {
       EXPECT_LE(plan.ram(), profile.ram_bytes) << name << " on " << profile.name;
       EXPECT_EQ(plan.resolution, profile.lunes);
       EXPECT_EQ(plan.sizes.elements, plan.meshing.element_count);
-      EXPECT_GE(plan.sizes.patches, plan.meshing.patch_count);
       EXPECT_GE(plan.sizes.elements, plan.sizes.faces) << "at least one element a face";
-      EXPECT_LE(plan.sizes.patches, plan.sizes.elements);
+      EXPECT_LE(plan.meshing.patch_count, plan.sizes.elements);
     }
   }
 }
@@ -84,10 +83,13 @@ TEST(Plan, SettingsCarryTheChosenFractionsAndTable) {
   BakeOptions options = on_profile("small");
   options.unshot = 0.25;
   options.flux_per_eye = 0.5;
+  options.flux_per_row = 0.125;
   const Settings settings = make_settings(options, make_plan(scene->prepared, options));
   EXPECT_EQ(settings.stop.raw, 0x40000000u);
   EXPECT_EQ(settings.flux_per_eye.raw, 0x80000000u);
-  EXPECT_EQ(settings.table, &kLune16);
+  EXPECT_EQ(settings.flux_per_row.raw, 0x20000000u);
+  EXPECT_EQ(settings.tables, kLunes);
+  EXPECT_EQ(1 << settings.tables[settings.table_count - 1].resolution_log2, find_profile("small")->lunes);
   EXPECT_EQ(settings.engine, lune_rows);
 }
 

@@ -3,6 +3,7 @@
 // to the plain one.
 #include "lib/fixed/arithmetic.h"
 
+#include "lib/fixed/short_flux.h"
 #include "lib/fixed/vec3.h"
 #include "lib/form_factor/row.h"
 #include "lib/transport/state.h"
@@ -225,6 +226,19 @@ TEST(FluxCutter, IsOddInTheFlux) {
     FluxCutter given(Flux::from_raw(flux), phase);
     ASSERT_EQ(lent.cut(part).raw, -given.cut(part).raw);
   }
+}
+
+// |flux - short| < flux / 2048, in 32 bits: 2048 = 2^11.
+TEST(ShortFlux, RoundsDownByLessThanOnePartIn2048) {
+  Random random(12);
+  for (uint16_t i = 0; i < kRounds; ++i) {
+    const uint32_t flux = of_any_length(random) >> 1;
+    const uint32_t kept = long_flux(short_flux(flux));
+    ASSERT_LE(kept, flux);
+    ASSERT_TRUE(flux < 4096 ? kept == flux : flux - kept <= (flux - 1) >> kShortFluxBits);
+    ASSERT_EQ(short_flux(kept), short_flux(flux));
+  }
+  EXPECT_EQ(long_flux(short_flux(static_cast<uint32_t>(kMostFlux))), 0x7ff80000u);
 }
 
 TEST(Fraction, RoundsDownInUq032) {

@@ -41,9 +41,8 @@ constexpr FIXRAD_IN_FLASH Element kElements[] = {
     {kCellArea, {8192, 8192, 32766}, 5, 5, 5},  {kCellArea, {8192, 24576, 32766}, 5, 5, 5},
     {kCellArea, {24576, 8192, 32766}, 5, 5, 5}, {kCellArea, {24576, 24576, 32766}, 5, 5, 5}};
 
-constexpr FIXRAD_IN_FLASH Patch kPatches[] = {
-    {{2, 16384, 16384}, 0, 0, 4},      {{32766, 16384, 16384}, 1, 4, 4}, {{16384, 2, 16384}, 2, 8, 4},
-    {{16384, 32766, 16384}, 3, 12, 4}, {{16384, 16384, 2}, 4, 16, 4},    {{16384, 16384, 32766}, 5, 20, 4}};
+constexpr FIXRAD_IN_FLASH Patch kPatches[] = {{0, 0, 4},  {1, 4, 4},  {2, 8, 4},
+                                              {3, 12, 4}, {4, 16, 4}, {5, 20, 4}};
 
 constexpr FIXRAD_IN_FLASH uint16_t kPatchElements[] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11,
                                                        12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23};
@@ -75,6 +74,9 @@ Scene box_scene(const FIXRAD_FLASH Material* materials, uint8_t faces, uint8_t c
 
 Settings box_settings() {
   Settings settings;
+  settings.engine = hemicube_rows;
+  settings.tables = settings.probe = &kDelta16;
+  settings.table_count = 1;
   settings.flux_per_eye = fraction(9, 10);
   return settings;
 }

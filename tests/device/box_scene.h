@@ -16,11 +16,11 @@ constexpr int32_t kEmitted = 1l << 20;  ///< flux that an element of kEmission e
 /// face i has material i of `materials`. With `faces` < 6 the last ones are missing and light escapes.
 Scene box_scene(const FIXRAD_FLASH Material* materials, uint8_t faces = 6, uint8_t channels = 1);
 
-/// The default settings with one eye point a shot.
+/// Hemicube rows at R = 16 with one eye point an element.
 Settings box_settings();
 
 /// With room for box_scene() in three channels, and for pixels at R = 8.
-using BoxSolver = Solver<Limits<8, 6, 24, 6, 14, 3, 8>>;
+using BoxSolver = Solver<Limits<8, 6, 24, 14, 3, 8>>;
 
 /// The one solver that all tests share, since 8 KB hold no more; a test begins with load().
 BoxSolver& box_solver();

@@ -56,11 +56,9 @@ void expect_lune_sum_one(const FIXRAD_FLASH DeltaTable& in_flash, uint8_t resolu
 }
 
 TEST(DeltaTable, OfLunesSumsToExactlyOneOverTheHemisphere) {
-  expect_lune_sum_one(kLune8, 8);
-  expect_lune_sum_one(kLune16, 16);
-  expect_lune_sum_one(kLune32, 32);
-  expect_lune_sum_one(kLune64, 64);
-  expect_lune_sum_one(kLune128, 128);
+  for (uint8_t i = 0; i < kLuneTables; ++i) {
+    expect_lune_sum_one(kLunes[i], static_cast<uint8_t>(4 << i));
+  }
 }
 
 TEST(DeltaTable, SumsToExactlyOneOverTheHemicube) {
@@ -85,9 +83,9 @@ TEST(DeltaTable, RunsFromZeroToTheWholeRow) {
   expect_running(kDelta32);
   expect_running(kDelta64);
   expect_running(kDelta128);
-  expect_running(kLune8);
-  expect_running(kLune16);
-  expect_running(kLune128);
+  for (uint8_t i = 0; i < kLuneTables; ++i) {
+    expect_running(kLunes[i]);
+  }
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ TEST(Furnace, OfReflectanceOneHalfDoublesTheEmission) {
 TEST(Furnace, OfReflectanceNineTenthsMultipliesTheEmissionByTen) {
   BoxSolver& solver = box_solver();
   Settings settings = box_settings();
-  settings.table = settings.coarse = &kDelta8;
+  settings.tables = &kDelta8;
   ASSERT_EQ(solver.load(box_scene(kNineTenths), settings), Status::ok);
   ASSERT_EQ(run(solver), Status::converged);
   expect_face_means(solver.state(), 10 * static_cast<uint32_t>(kEmitted));

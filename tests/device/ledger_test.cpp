@@ -61,7 +61,7 @@ TEST(Ledger, BalancesWithSeveralEyesAShot) {
   BoxSolver& solver = box_solver();
   Settings settings = box_settings();
   settings.flux_per_eye = fraction(1, 6);
-  settings.table = &kDelta8;
+  settings.tables = &kDelta8;
   ASSERT_EQ(solver.load(box_scene(kLampAndWalls, kFaces, 3), settings), Status::ok);
   expect_balance(solver, 20);
   EXPECT_GT(solver.state().eyes, solver.state().shots);
@@ -71,7 +71,7 @@ TEST(Ledger, BalancesWithPixels) {
   BoxSolver& solver = box_solver();
   Settings settings = box_settings();
   settings.engine = hemicube_pixels;
-  settings.table = settings.coarse = &kDelta8;
+  settings.tables = &kDelta8;
   ASSERT_EQ(solver.load(box_scene(kLampAndWalls, kFaces, 3), settings), Status::ok);
   expect_balance(solver, 20);
 }
@@ -80,27 +80,31 @@ TEST(Ledger, BalancesWithLunes) {
   BoxSolver& solver = box_solver();
   Settings settings = box_settings();
   settings.engine = lune_rows;
-  settings.table = settings.coarse = &kLune16;
-  settings.probe = &kLune8;
+  settings.tables = settings.probe = kLunes;
+  settings.table_count = 3;
   ASSERT_EQ(solver.load(box_scene(kLampAndWalls, kFaces, 3), settings), Status::ok);
   expect_balance(solver, 200);
   EXPECT_EQ(solver.state().escaped[0], 0);
 }
 
-// One shot of the lamp: what arrives is what was sent, and the lamp, which is black, keeps nothing.
-TEST(Shot, MovesTheWholeFluxOfTheBrightestPatch) {
+// One shot of each element of the lamp: what arrives is what was sent, and the lamp, which is black, keeps
+// nothing.
+TEST(Shot, MovesTheWholeEmissionOfAnElement) {
   BoxSolver& solver = box_solver();
   const State& state = solver.state();
   ASSERT_EQ(solver.load(box_scene(kLampAndWalls, kFaces, 3), box_settings()), Status::ok);
-  ASSERT_EQ(solver.step(), Status::ok);
-  for (uint8_t c = 0; c < 3; ++c) {
-    int64_t received = 0;
-    for (uint16_t e = 0; e < state.scene.element_count; ++e) {
-      received += state.received[e * 3u + c];
+  for (uint8_t shots = 1; shots <= kElementsPerFace; ++shots) {
+    ASSERT_EQ(solver.step(), Status::ok);
+    for (uint8_t c = 0; c < 3; ++c) {
+      int64_t received = 0;
+      for (uint16_t e = 0; e < state.scene.element_count; ++e) {
+        received += state.received[e * 3u + c];
+      }
+      EXPECT_EQ(received, static_cast<int64_t>(state.emitted[c]) / kElementsPerFace * shots);
     }
-    EXPECT_EQ(received, static_cast<int64_t>(state.emitted[c]));
-    EXPECT_EQ(state.unshot[3 * 3 + c], 0);
   }
+  Flux unshot[3];
+  EXPECT_EQ(unshot_of(state, face_source(state.scene, 3 * kElementsPerFace), unshot), 0u);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ struct UsedEyes {
             [](void* self, const DeltaTable&, const EyeSample& sample) {
               static_cast<UsedEyes*>(self)->pending.push_back(sample);
             },
-            [](void* self, std::uint16_t, const Flux*, bool) {
+            [](void* self, const Shot&) {
               auto& eyes = *static_cast<UsedEyes*>(self);
               eyes.used.insert(eyes.used.end(), eyes.pending.begin(), eyes.pending.end());
               eyes.pending.clear();

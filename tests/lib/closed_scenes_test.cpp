@@ -14,7 +14,8 @@ namespace {
 SolveOptions options_of(Engine engine, int resolution, std::uint32_t elements) {
   SolveOptions options;
   options.elements = elements;
-  options.settings = settings_with(resolution, fraction(1, 1000));
+  options.settings = engine == lune_rows ? lune_settings(resolution, fraction(1, 1000))
+                                         : settings_with(resolution, fraction(1, 1000));
   options.settings.engine = engine;
   return options;
 }
@@ -23,8 +24,8 @@ SolveOptions options_of(Engine engine, int resolution, std::uint32_t elements) {
 std::uint32_t look(State& state, const EyePoint& eye, bool back_faces) {
   clear(state.row);
   const EyeSample sample = {eye, kRowOne, back_faces};
-  EXPECT_EQ(state.settings.engine(state.scene, *state.settings.table, sample, state.work, state.row),
-            Status::ok);
+  const DeltaTable& finest = state.settings.tables[state.settings.table_count - 1];
+  EXPECT_EQ(state.settings.engine(state.scene, finest, sample, state.work, state.row), Status::ok);
   return std::accumulate(state.row.share, state.row.share + state.row.count, std::uint32_t{0});
 }
 
@@ -56,8 +57,10 @@ TEST_P(ClosedScene, RowsSumToOneForTheEyeOfEveryElement) {
   EXPECT_GT(eyes, 1000u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Engine, ClosedScene, testing::Values(hemicube_rows, hemicube_pixels),
-                         [](const auto& engine) { return engine.index == 0 ? "Rows" : "Pixels"; });
+INSTANTIATE_TEST_SUITE_P(Engine, ClosedScene, testing::Values(hemicube_rows, hemicube_pixels, lune_rows),
+                         [](const auto& engine) {
+                           return engine.index == 0 ? "Rows" : (engine.index == 1 ? "Pixels" : "Lunes");
+                         });
 
 // Views from random eyes in the lower `height` of a room without bodies there, looking up from its floor.
 class RandomViews {
@@ -149,6 +152,19 @@ TEST(Watertight, FortyThousandRandomViewsOfFurnishedRoomsShowNoGap) {
 TEST(Watertight, RandomViewsCloseToAWallLoseNothing) {
   Solution solution(cube(0.5, {1, 1, 1, 1, 1, 1}), options_of(hemicube_rows, 8, 6));
   RandomViews(solution, 3, 1.0).expect_none_leaks(20000, 1, false);
+}
+
+TEST(Watertight, RandomViewsByLunesShowNoGap) {
+  Solution box(cube(0.5, {1, 1, 1, 1, 1, 1}), options_of(lune_rows, 16, 6));
+  RandomViews views(box, 5, 1.0);
+  views.expect_none_leaks(20000, kTwoPermille, false);
+  views.expect_none_leaks(10000, kTwoPermille, true);
+  EXPECT_EQ(box.state().work.gaps_closed, 0u);
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    Solution solution(room_with_hanging_bodies(seed), options_of(lune_rows, 16, 40));
+    RandomViews(solution, seed, 0.5).expect_none_leaks(1000, kTwoPermille, false);
+    EXPECT_EQ(solution.state().work.gaps_closed, 0u) << "seed " << seed;
+  }
 }
 
 TEST(Watertight, RandomViewsByPixelsLoseNothing) {

@@ -37,7 +37,7 @@ void expect_rows_of_one(State& state, std::uint32_t first, bool back_faces) {
     clear(state.row);
     for (const std::uint32_t weight : {kRowOne / 3, kRowOne - kRowOne / 3}) {
       const EyeSample sample = {element_eye(state.scene, e), weight, back_faces};
-      ASSERT_EQ(contour_row(state.scene, *state.settings.table, sample, state.work, state.row), Status::ok);
+      ASSERT_EQ(contour_row(state.scene, *state.settings.tables, sample, state.work, state.row), Status::ok);
     }
     std::uint64_t sum = state.row.escaped + state.row.back;
     for (unsigned j = 0; j < state.scene.element_count; ++j) {
@@ -99,7 +99,7 @@ TEST(ContourRow, CountsWhatShowsItsBackApart) {
   State& state = solution.state();
   clear(state.row);
   const EyeSample sample = {element_eye(state.scene, 0), kRowOne, true};
-  ASSERT_EQ(contour_row(state.scene, *state.settings.table, sample, state.work, state.row), Status::ok);
+  ASSERT_EQ(contour_row(state.scene, *state.settings.tables, sample, state.work, state.row), Status::ok);
   const glm::dvec3 eye = solution.device().mesh.elements[0].centroid;
   const double exact = point_to_parallel({-eye.x, 1 - eye.x, -eye.z, 1 - eye.z}, 1.0);
   EXPECT_NEAR(state.row.back / static_cast<double>(kRowOne), exact, 1e-4 * exact);
@@ -118,7 +118,7 @@ TEST(ContourRow, FromEveryEyeOfAFaceIsTheClosedFormOfTheOppositeFace) {
     }
     clear(state.row);
     const EyeSample sample = {element_eye(state.scene, e), kRowOne, false};
-    ASSERT_EQ(contour_row(state.scene, *state.settings.table, sample, state.work, state.row), Status::ok);
+    ASSERT_EQ(contour_row(state.scene, *state.settings.tables, sample, state.work, state.row), Status::ok);
     double factor = 0;
     for (unsigned j = 0; j < state.scene.element_count; ++j) {
       factor += flash_read(state.scene.elements, j).face == 3 ? state.row.share[j] / double{kRowOne} : 0;

@@ -61,6 +61,7 @@ TEST(Cube, NineEyesAFaceComeNearTheAreaAveragedSixBySixAnswer) {
   options.elements = 6;
   options.settings = settings_with(32, fraction(1, 100000));
   options.settings.flux_per_eye = Fraction::from_raw(0);  // always the most eyes
+  options.settings.flux_per_row = Fraction::from_raw(0);  // and never from a patch or face
   for (const double reflectance : kReflectances) {
     const double worst = solve_and_compare(
         reflectance, options, cube_radiosity(reflectance, kParallelUnitSquares, kPerpendicularUnitSquares));
@@ -75,8 +76,8 @@ TEST(Cube, RefinedMeshReachesTheRefinedSolutionInDouble) {
   SolveOptions options;
   options.elements = 600;
   options.settings = settings_with(32, fraction(1, 1000));
+  options.settings.flux_per_row = fraction(1, 6000);  // 0.1 / elements, as the tool sets it
   for (const double reflectance : kReflectances) {
-    options.patches = reflectance < 0.8 ? 600 : 150;  // so that the many shots at high reflectance stay quick
     const double worst = solve_and_compare(reflectance, options, reference.face_means(reflectance));
     RecordProperty("worst_percent_at_" + std::to_string(reflectance), std::to_string(100 * worst));
     EXPECT_LT(worst, kBar) << reflectance;

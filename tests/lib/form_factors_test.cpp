@@ -43,7 +43,7 @@ SquareFactor measure(bool is_parallel, Engine engine, int resolution) {
     }
     clear(state.row);
     const EyeSample sample = {element_eye(state.scene, e, static_cast<std::uint8_t>(e)), kRowOne, true};
-    EXPECT_EQ(engine(state.scene, *options.settings.table, sample, state.work, state.row), Status::ok);
+    EXPECT_EQ(engine(state.scene, *options.settings.tables, sample, state.work, state.row), Status::ok);
     std::uint32_t sum = 0;
     for (unsigned j = 0; j < state.scene.element_count; ++j) {
       sum += flash_read(state.scene.elements, j).face == 1 ? state.row.share[j] : 0u;

@@ -22,7 +22,8 @@ class LedgerOf : public testing::TestWithParam<Variant> {
     SolveOptions options;
     options.elements = 70;
     options.patches = 45;
-    options.settings = settings_with(8, fraction(1, 50));
+    options.settings = GetParam().engine == lune_rows ? lune_settings(16, fraction(1, 50))
+                                                      : settings_with(8, fraction(1, 50));
     options.settings.engine = GetParam().engine;
     options.settings.overshoot = GetParam().overshoot;
     options.settings.flux_per_eye = fraction(1, 20);
@@ -69,7 +70,9 @@ INSTANTIATE_TEST_SUITE_P(Engine, LedgerOf,
                          testing::Values(Variant{"Rows", hemicube_rows, false},
                                          Variant{"RowsOvershooting", hemicube_rows, true},
                                          Variant{"Pixels", hemicube_pixels, false},
-                                         Variant{"PixelsOvershooting", hemicube_pixels, true}),
+                                         Variant{"PixelsOvershooting", hemicube_pixels, true},
+                                         Variant{"Lunes", lune_rows, false},
+                                         Variant{"LunesOvershooting", lune_rows, true}),
                          [](const auto& variant) { return variant.param.name; });
 
 TEST(Ledger, BalancesAfterGatheringRandomScenes) {

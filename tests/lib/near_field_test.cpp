@@ -18,16 +18,15 @@ SolveOptions near_options(std::uint32_t elements, bool corrected) {
   SolveOptions options;
   options.elements = elements;
   options.settings.engine = lune_rows;
-  options.settings.table = &kLune16;
-  options.settings.probe = &kLune4;
+  options.settings.tables = kLunes + 2;
+  options.settings.table_count = 1;
   options.settings.near_field = corrected ? correct_near_field : nullptr;
   return options;
 }
 
 // The row of element `e` from one eye.
 void sample(State& state, std::uint16_t e) {
-  KnownEyes known = 0;
-  ASSERT_EQ(sample_source(state, element_source(state.scene, e), 1, known), Status::ok);
+  ASSERT_EQ(sample_element(state, e, 1, 16), Status::ok);
 }
 
 std::uint64_t total(const State& state) {
@@ -55,7 +54,7 @@ TEST(NearField, GivesPlatesThatAlmostTouchTheirClosedForm) {
   const double exact = parallel_form_factor({0, 1, 0, 1}, {0, 1, 0, 1}, 0.25);
   sample(state, 0);
   const double from_centre = state.row.share[1] / double{kRowOne};
-  correct_near_field(state.scene, element_source(state.scene, 0), state.work, state.row);
+  correct_near_field(state.scene, 0, state.work, state.row);
   EXPECT_EQ(total(state), kRowOne);
   EXPECT_LT(std::abs(state.row.share[1] / double{kRowOne} - exact), 0.25 * std::abs(from_centre - exact));
 }
@@ -71,7 +70,7 @@ TEST(NearField, SamplesTheSmallerOfTheTwo) {
   ASSERT_EQ(state.scene.element_count, 2);
   const double exact = parallel_form_factor({0, 1, 0, 1}, {0.7, 0.8, 0.5, 0.6}, 0.1);
   sample(state, 0);
-  correct_near_field(state.scene, element_source(state.scene, 0), state.work, state.row);
+  correct_near_field(state.scene, 0, state.work, state.row);
   EXPECT_NEAR(state.row.share[1] / double{kRowOne}, exact, 0.01 * exact);
   EXPECT_EQ(total(state), kRowOne);
 }
@@ -82,7 +81,7 @@ TEST(NearField, LeavesRowsWithoutNearPairsAsTheyAre) {
   for (std::uint16_t e = 0; e < state.scene.element_count; e = static_cast<std::uint16_t>(e + 11)) {
     sample(state, e);
     const std::vector<std::uint32_t> before(state.row.share, state.row.share + state.scene.element_count);
-    correct_near_field(state.scene, element_source(state.scene, e), state.work, state.row);
+    correct_near_field(state.scene, e, state.work, state.row);
     EXPECT_TRUE(std::equal(before.begin(), before.end(), state.row.share)) << "element " << e;
   }
 }
@@ -90,15 +89,12 @@ TEST(NearField, LeavesRowsWithoutNearPairsAsTheyAre) {
 TEST(NearField, KeepsTheSumOfEveryRowAndTheLedger) {
   for (const Model& model : {cornell(), random_closed_room(6), random_open_room(2)}) {
     SolveOptions options = near_options(150, true);
-    options.patches = 50;
     Solution solution(model, options);
     State& state = solution.state();
-    for (std::uint16_t p = 0; p < state.scene.patch_count; ++p) {
-      KnownEyes known = 0;
-      const EyeSource source = patch_source(state.scene, p);
-      ASSERT_EQ(sample_source(state, source, 4, known), Status::ok);
-      correct_near_field(state.scene, source, state.work, state.row);
-      ASSERT_EQ(total(state), kRowOne) << "patch " << p;
+    for (std::uint16_t e = 0; e < state.scene.element_count; ++e) {
+      ASSERT_EQ(sample_element(state, e, 4, 64), Status::ok);
+      correct_near_field(state.scene, e, state.work, state.row);
+      ASSERT_EQ(total(state), kRowOne) << "element " << e;
     }
     ASSERT_EQ(solution.run(), Status::converged);
     EXPECT_EQ(solution.imbalance(), 0);

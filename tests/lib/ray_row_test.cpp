@@ -28,8 +28,8 @@ SolveOptions ray_options(std::uint32_t elements, const DeltaTable& rays) {
   SolveOptions options;
   options.elements = elements;
   options.settings.engine = ray_row;
-  options.settings.table = &rays;
-  options.settings.probe = &kLune4;
+  options.settings.tables = &rays;
+  options.settings.table_count = 1;
   return options;
 }
 
@@ -43,7 +43,7 @@ std::uint64_t row_total(const State& state) {
 
 void sample_eye(State& state, std::uint32_t element, std::uint32_t weight, bool back_faces) {
   const EyeSample sample = {element_eye(state.scene, element), weight, back_faces};
-  ASSERT_EQ(ray_row(state.scene, *state.settings.table, sample, state.work, state.row), Status::ok);
+  ASSERT_EQ(ray_row(state.scene, *state.settings.tables, sample, state.work, state.row), Status::ok);
 }
 
 TEST(RayCoordinates, AreStratifiedInEveryCoordinateAndInBeginAndEnd) {
@@ -96,7 +96,7 @@ TEST(RayBlockers, BlockExactlyTheRaysThatPassThroughTheFace) {
   builder.polygon({{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}, 0);
   builder.polygon({{0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}}, 0);
   builder.polygon({{0.25, 0.5, 0.25}, {0.75, 0.5, 0.25}, {0.75, 0.5, 0.75}, {0.25, 0.5, 0.75}}, 0);
-  Solution solution(builder.model(), ray_options(3, kLune16));
+  Solution solution(builder.model(), ray_options(3, kLunes[2]));
   State& state = solution.state();
   Polygon floor, ceiling, plate;
   face_outline(state.scene, flash_read(state.scene.faces, 0), floor);
@@ -158,7 +158,7 @@ TEST(RowBalance, LetsEscapeWhatNothingIsThereToTake) {
 TEST(RayRow, IsARowOfOneFromEveryEye) {
   for (const auto& [model, is_closed] :
        {std::pair{cornell(), false}, {random_open_room(4), false}, {random_closed_room(5), true}}) {
-    Solution solution(model, ray_options(150, kLune8));
+    Solution solution(model, ray_options(150, kLunes[1]));
     State& state = solution.state();
     for (unsigned e = 0; e < state.scene.element_count; e += 3) {
       clear(state.row);
@@ -170,7 +170,7 @@ TEST(RayRow, IsARowOfOneFromEveryEye) {
 }
 
 TEST(RayRow, LosesNothingInAClosedRoomWithBodies) {
-  Solution solution(random_closed_room(5), ray_options(120, kLune4));
+  Solution solution(random_closed_room(5), ray_options(120, kLunes[0]));
   ASSERT_EQ(solution.run(), Status::converged);
   for (int c = 0; c < solution.state().scene.channels; ++c) {
     EXPECT_EQ(solution.state().escaped[c], 0);
@@ -186,7 +186,7 @@ TEST(RayRow, SeesAroundAPlateInTheWay) {
   builder.polygon({{0.49, 0, 0.49}, {0.49, 0, 0.51}, {0.51, 0, 0.51}, {0.51, 0, 0.49}}, 0);
   builder.polygon({{0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}}, 0);
   builder.polygon({{0.375, 0.5, 0.375}, {0.625, 0.5, 0.375}, {0.625, 0.5, 0.625}, {0.375, 0.5, 0.625}}, 0);
-  Solution solution(builder.model(), ray_options(300, kLune32));
+  Solution solution(builder.model(), ray_options(300, kLunes[3]));
   State& state = solution.state();
   clear(state.row);
   sample_eye(state, 0, kRowOne, true);
@@ -203,7 +203,7 @@ TEST(RayRow, SeesAroundAPlateInTheWay) {
 // Mean over the floor's elements of what reaches the wall that stands on it: touching elements included.
 TEST(RayRow, ToATouchingWallIsTheClosedForm) {
   constexpr double kBound = 0.005;  // four points an element
-  Solution solution(perpendicular_squares(0, 1, 0), ray_options(50, kLune4));
+  Solution solution(perpendicular_squares(0, 1, 0), ray_options(50, kLunes[0]));
   State& state = solution.state();
   double mean = 0;
   int count = 0;

@@ -6,11 +6,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_sim/simulate/eye_sights.h"
+
 namespace fixrad::host {
 
 Settings settings_with(int resolution, Fraction stop) {
   Settings settings;
-  settings.table = delta_table(resolution);
+  settings.engine = hemicube_rows;
+  settings.tables = delta_table(resolution);
+  settings.table_count = 1;
+  settings.probe = &kDelta8;
+  settings.stop = stop;
+  return settings;
+}
+
+Settings lune_settings(int resolution, Fraction stop) {
+  Settings settings;
+  settings.engine = lune_rows;
+  settings.tables = kLunes;
+  settings.table_count = static_cast<std::uint8_t>(lune_table(resolution) - kLunes + 1);
+  settings.probe = kLunes;
   settings.stop = stop;
   return settings;
 }
@@ -20,16 +35,20 @@ Sizes sizes_for(const DeviceScene& device, std::uint32_t spans, const Settings& 
   return {static_cast<std::uint32_t>(device.vertices.size()),
           faces,
           static_cast<std::uint32_t>(device.elements.size()),
-          static_cast<std::uint32_t>(device.patches.size()),
           spans != 0 ? spans : 2 * faces + 1,
           static_cast<std::uint32_t>(device.channels),
-          settings.engine == hemicube_rows ? 0u : 1u << settings.table->resolution_log2};
+          settings.engine == hemicube_pixels ? 1u << settings.tables[0].resolution_log2 : 0u};
 }
 
-Solution::Solution(Model model, const SolveOptions& options) : model_(std::move(model)) {
+Solution::Solution(Model model, const SolveOptions& options, bool has_sights) : model_(std::move(model)) {
   prepared_ = prepare(model_);
-  device_ = make_device_scene(prepared_, make_uniform(prepared_, options.elements, options.patches));
-  solver_ = std::make_unique<SimulatedDevice>(sizes_for(device_, options.spans, options.settings));
+  const std::uint32_t patches = options.patches != 0 ? options.patches : options.elements / 4;
+  device_ = make_device_scene(prepared_, make_uniform(prepared_, options.elements, patches));
+  const Sizes sizes = sizes_for(device_, options.spans, options.settings);
+  if (has_sights) {
+    find_sights(device_, sizes);
+  }
+  solver_ = std::make_unique<SimulatedDevice>(sizes);
   const Status status = solver_->load(device_.view(), options.settings);
   EXPECT_EQ(status, Status::ok) << describe(status);
 }

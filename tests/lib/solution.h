@@ -15,13 +15,17 @@ namespace fixrad::host {
 /// How a test wants a scene solved.
 struct SolveOptions {
   std::uint32_t elements = 150;
-  std::uint32_t patches = 65535;  ///< every element its own
-  std::uint32_t spans = 0;        ///< 0: the documented 2 faces + 1
+  std::uint32_t patches = 0;  ///< 0: about one for four elements, as the tool makes them
+  std::uint32_t spans = 0;    ///< 0: the documented 2 faces + 1
   Settings settings = {};
 };
 
-/// The settings with a table of R and the fraction at which shooting stops.
+/// Hemicube rows with the one table of R for all shots, and the fraction at which shooting stops.
 Settings settings_with(int resolution, Fraction stop);
+
+/// Lune rows, the strongest shots with R, weaker ones with every smaller table, and the fraction at which
+/// shooting stops.
+Settings lune_settings(int resolution, Fraction stop);
 
 /// The sizes that hold `device` exactly, with an item buffer where the settings need one.
 Sizes sizes_for(const DeviceScene& device, std::uint32_t spans, const Settings& settings);
@@ -30,7 +34,8 @@ Sizes sizes_for(const DeviceScene& device, std::uint32_t spans, const Settings& 
 /// current test if it does not load.
 class Solution {
  public:
-  Solution(Model model, const SolveOptions& options);
+  /// `has_sights`: the scene knows which eyes are clear; otherwise the core probes them.
+  Solution(Model model, const SolveOptions& options, bool has_sights = false);
 
   /// Shoots until the status is not ok; returns it.
   Status run();

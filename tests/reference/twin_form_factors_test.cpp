@@ -107,7 +107,8 @@ TEST_P(LuneTables, RowsAreUnitVectorsEquallySpacedInTheirSine) {
 }
 
 INSTANTIATE_TEST_SUITE_P(R, LuneTables,
-                         ::testing::Values(&kLune4, &kLune8, &kLune16, &kLune32, &kLune64, &kLune128),
+                         ::testing::Values(kLunes, kLunes + 1, kLunes + 2, kLunes + 3, kLunes + 4,
+                                           kLunes + 5),
                          [](const auto& table) { return std::to_string(1 << table.param->resolution_log2); });
 
 TEST(TwinDeltaTable, SumsToOneOverTheHemicube) {

@@ -98,7 +98,6 @@ void TwinRoom::add_elements(const Face& face, std::uint16_t face_index, unsigned
       patch.face = face_index;
       patch.first_element = static_cast<std::uint16_t>(patch_elements_.size());
       patch.element_count = static_cast<std::uint16_t>(block * block);
-      store_eye(face, u + 0.5 * block, v + 0.5 * block, patch.eye);
       patches_.push_back(patch);
       for (unsigned i = 0; i < block * block; ++i) {
         patch_elements_.push_back(static_cast<std::uint16_t>(first + (v + i / block) * n + u + i % block));
@@ -143,6 +142,7 @@ Scene TwinRoom::scene(unsigned channels) {
           patches_.data(),
           patch_elements_.data(),
           materials_.data(),
+          nullptr,
           count(vertices_),
           count(corners_),
           count(faces_),

@@ -78,8 +78,8 @@ TEST(SceneTable, FreshlyExportedScenesGiveTheExpectedSolution) {
 
 TEST(SceneTable, KeepsEngineResolutionAndItemBuffer) {
   EXPECT_TRUE(cornell_pixels::settings().engine == hemicube_pixels);
-  EXPECT_EQ(cornell_pixels::settings().table, &kDelta64);
-  EXPECT_EQ(cornell_pixels::settings().coarse, nullptr);
+  EXPECT_EQ(cornell_pixels::settings().tables, &kDelta64);
+  EXPECT_EQ(cornell_pixels::settings().table_count, 1);
   EXPECT_EQ(cornell_pixels::Limits::pixel_resolution, 64);
   expect_same_solution(FIXRAD_EXPORTED(cornell_pixels));
 }
@@ -95,8 +95,7 @@ TEST(SceneTable, KeepsStopEyesAndOvershooting) {
 
 template <class L>
 constexpr std::uint32_t solver_ram(std::uint32_t pointer_bytes) {
-  return pool_bytes(
-             {L::vertices, L::faces, L::elements, L::patches, L::spans, L::channels, L::pixel_resolution}) +
+  return pool_bytes({L::vertices, L::faces, L::elements, L::spans, L::channels, L::pixel_resolution}) +
          state_bytes(pointer_bytes);
 }
 

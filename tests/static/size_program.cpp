@@ -11,7 +11,8 @@ closed_box_tiny::Solver solver;
 int main() {
   fixrad::Settings settings;
   settings.engine = fixrad::hemicube_rows;
-  settings.table = settings.coarse = &fixrad::kDelta16;
+  settings.tables = settings.probe = &fixrad::kDelta16;
+  settings.table_count = 1;
   fixrad::Status status = solver.load(closed_box_tiny::scene(), settings);
   while (status == fixrad::Status::ok) {
     status = solver.step();

@@ -62,7 +62,7 @@ void set_face(uint16_t index, unsigned axis, bool is_far) {
   uint16_t eye[3] = {2 * kSide, 2 * kSide, 2 * kSide};
   eye[axis] = static_cast<uint16_t>(is_far ? 4 * kSide - 2 : 2);
   elements[index] = {kFaceArea, {eye[0], eye[1], eye[2]}, index, index};
-  patches[index] = {{eye[0], eye[1], eye[2]}, index, index, 1};
+  patches[index] = {index, index, 1};
   patch_elements[index] = index;
 }
 
@@ -76,10 +76,10 @@ int main() {
     set_face(i, i / 2u, i % 2 != 0);
   }
   const fixrad::Scene scene = {vertices, corners, faces, cell_rows, elements, patches, patch_elements,
-                               &kHalf,   8,       24,    6,         6,        6,       6,
-                               1,        1,       17,    20};
+                               &kHalf,   nullptr, 8,     24,        6,        6,       6,
+                               6,        1,       1,     17,        20};
 
-  static fixrad::Solver<fixrad::Limits<8, 6, 6, 6>> solver;
+  static fixrad::Solver<fixrad::Limits<8, 6, 6>> solver;
   fixrad::Status status = solver.load(scene);
   while (status == fixrad::Status::ok) {
     status = solver.step();
