@@ -61,7 +61,7 @@ TEST(Platform, ASolverIsAsLargeAsTheFormulaSays) {
   expect_documented_size<Limits<8, 6, 6>>();
   expect_documented_size<Limits<8, 6, 11>>();
   expect_documented_size<Limits<28, 20, 263, 41, 1>>();
-  expect_documented_size<Limits<100, 77, 999, 55, 3, 32>>();
+  expect_documented_size<Limits<100, 77, 777, 55, 3, 32>>();
 }
 
 }  // namespace
