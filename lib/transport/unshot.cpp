@@ -69,6 +69,14 @@ uint32_t reachable(const State& state, uint16_t e, int c, int32_t unshot) {
   return reflected + loan > 0 ? static_cast<uint32_t>(reflected + loan) : 0u;
 }
 
+// What the element will have sent after a shot. A debt below one step of a short flux stays: were it taken
+// back, the next loan would lend it again, for ever.
+uint16_t sent_after(const State& state, uint16_t e, int c) {
+  const uint16_t before = half_of(account_of(state, c), e);
+  const uint16_t after = short_flux(reachable(state, e, c, element_unshot(state, e, c)));
+  return after + 1 == before ? before : after;
+}
+
 }  // namespace
 
 uint32_t sent_flux(const State& state, uint16_t e, int c) {
@@ -102,7 +110,7 @@ bool plan_amount(const State& state, const EyeSource& source, Flux* unshot, Flux
     int32_t flux = source.kind == SourceKind::face ? unshot[c].raw : 0;
     for (uint16_t i = 0; source.kind != SourceKind::face && i < source.count; ++i) {
       const uint16_t e = source_element(state.scene, source, i);
-      const uint32_t after = long_flux(short_flux(reachable(state, e, c, element_unshot(state, e, c))));
+      const uint32_t after = long_flux(sent_after(state, e, c));
       flux += static_cast<int32_t>(after - sent_flux(state, e, c));
     }
     amount[c] = Flux::from_raw(flux);
@@ -118,7 +126,7 @@ void book_sent(State& state, const EyeSource& source) {
     }
     for (uint16_t i = 0; source.kind != SourceKind::face && i < source.count; ++i) {
       const uint16_t e = source_element(state.scene, source, i);
-      set_sent(state, e, c, short_flux(reachable(state, e, c, element_unshot(state, e, c))));
+      set_sent(state, e, c, sent_after(state, e, c));
     }
   }
 }
