@@ -4,14 +4,16 @@
 
     scripts/fit_costs.py [--check] [--tool build/host/host_sim/cli/count_work]
 
-Reads the exact counts of firmware/measurements.json and those of host_sim/sweep/calibration.json, solves every
-measured scene again on the host to count its steps, and finds, target by target, the weights w >= 0 that minimise
+Reads the exact counts of firmware/measurements.json and those of host_sim/sweep/calibration.json, solves all of these
+again on the host to count their steps, and finds, target by target, the weights w >= 0 that minimise
 
     sum over measurements ((w . steps - count) / count)^2  +  sum over stages of the bench (the same, times 0.1)
     + sum over steps (0.03 (w / (s prior) - 1))^2
 
 with s the factor that fits `prior` as a whole. The last sum decides between steps that no measurement tells apart, such
-as those that always come in the same proportion. Run it after scripts/measure_targets.py; takes seconds.
+as those that always come in the same proportion. Run it after scripts/measure_targets.py; takes seconds. Runs of
+calibration.json whose bits are no longer those of the tool are left out, with a line on stderr, until
+scripts/measure_engines.py measures them again; the table says which engines remain, and the others get no cost.
 --check writes nothing and fails if a measurement is more than LIMIT away from what the committed weights say.
 """
 
@@ -33,11 +35,11 @@ TABLE = ROOT / "host_sim/sweep/cost_table.cpp"
 # their proportions matter.
 PRIOR = {"eye": 500, "vertex": 80, "face": 40, "view": 500, "band_vertex": 60, "band_face": 70, "row": 80,
          "interval": 110, "span_met": 15, "span": 180, "piece": 110, "pixel_test": 40, "pixel": 40, "share": 45,
-         "element": 8, "patch": 9}
+         "face_share": 90, "element": 8, "unshot": 25}
 # Steps that make up each stage of the bench; stages that are not here are spread over all of these.
 STAGES = {"transform": ("vertex", "face", "view", "eye"), "raster": ("band_vertex", "band_face", "interval"),
-          "insert": ("row", "span_met"), "split": ("span", "piece"), "search": ("patch",),
-          "distribute": ("share", "element")}
+          "insert": ("row", "span_met"), "split": ("span", "piece"), "search": ("unshot",),
+          "distribute": ("share", "face_share", "element")}
 LIMIT = 0.1
 STAGE_WEIGHT = 0.1
 PRIOR_WEIGHT = 0.03
@@ -64,6 +66,35 @@ def measured_steps(tool, measured):
                      f"this tool's is {counted['digest']}; run scripts/measure_targets.py first")
         steps[name] = counted["work"]
     return steps
+
+
+def current_calibration(tool):
+    """The runs of calibration.json that this tool still solves with the same bits, their steps counted anew."""
+    runs, stale = {}, []
+    known = json.loads(CALIBRATION.read_text())["runs"] if CALIBRATION.exists() else {}
+    for name, run in known.items():
+        command = [str(tool), str(ROOT / f"scenes/{run['scene']}.obj"), *run["options"]]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        counted = json.loads(done.stdout) if done.returncode == 0 else {"digest": "none"}
+        if counted["digest"] == run["digest"]:
+            runs[name] = {**run, "work": counted["work"]}
+        else:
+            stale.append(name)
+    if stale:
+        print(f"fit_costs: {CALIBRATION.relative_to(ROOT)}: not used, since the solver has changed: {', '.join(stale)}; "
+              "scripts/measure_engines.py measures again", file=sys.stderr)
+    return runs
+
+
+def engine_of(options):
+    return options[options.index("--engine") + 1] if "--engine" in options else "lunes"
+
+
+def engines_of(target, record, calibration):
+    """The engines that were measured on a target, the default first."""
+    found = {engine_of(export_options()[name][2]) for name in record["scenes"]}
+    found |= {engine_of(run["options"]) for run in calibration.values() if target in run["solve"]}
+    return sorted(found, key=lambda engine: (engine != "lunes", engine))
 
 
 def solve(rows, names):
@@ -93,10 +124,12 @@ def stage_rows(bench, steps):
     """A row for each stage; what is not in STAGES, such as calls to division, is shared out in proportion."""
     rows = []
     for scene, record in bench.items():
-        stages = record["core"]["stages"]
-        factor = record["core"]["solve"] / sum(stages[s] for s in STAGES)
+        stages = {stage: record["core"]["stages"].get(stage, 0) for stage in STAGES}
+        factor = record["core"]["solve"] / sum(stages.values())
         for stage, parts in STAGES.items():
             count = stages[stage] * factor
+            if count == 0:
+                continue
             rows.append(({p: STAGE_WEIGHT * steps[scene][p] / count for p in parts}, STAGE_WEIGHT))
     return rows
 
@@ -165,8 +198,9 @@ def table(measured, steps, calibration):
         weights, residual = fit_target(list(runs.values()), record["bench"], steps)
         unit = next(iter(record["bench"].values()))["unit"]
         numbers = ", ".join(f"{weights[n]:.4g}" for n in step_names())
+        engines = ", ".join(f'"{engine}"' for engine in engines_of(target, record, calibration))
         lines += [f'      {{"{target}", "{unit}",', f"       {{{numbers}}},",
-                  f"       {residual:.4f}, {len(runs)}, {POINTER_BYTES.get(target, 4)}}},"]
+                  f"       {residual:.4f}, {len(runs)}, {POINTER_BYTES.get(target, 4)}, {{{engines}}}}},"]
         print(f"{target:11} {len(runs):3} measurements, largest deviation {100 * residual:.1f} %", file=sys.stderr)
         for name, (work, count) in runs.items():
             print(f"    {name:24} {100 * (said(weights, work) / count - 1):+6.1f} %", file=sys.stderr)
@@ -182,7 +216,7 @@ def main():
     if set(step_names()) != set(PRIOR):
         sys.exit(f"fit_costs: host_sim/sweep/work.cpp names other steps than PRIOR: {set(step_names()) ^ set(PRIOR)}")
     measured = json.loads(MEASUREMENTS.read_text())
-    calibration = json.loads(CALIBRATION.read_text())["runs"] if CALIBRATION.exists() else {}
+    calibration = current_calibration(options.tool)
     steps = measured_steps(options.tool, measured)
     if options.check:
         check(measured, steps, calibration)

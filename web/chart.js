@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The plane of cost and error: a circle a setting, the frontier as a line.
 import { dot, line, plot, pointer, tip } from '@observablehq/plot';
-import { engineColour, percent, profileRadius, settingName } from './figures.js';
+import { engineColour, part, percent, profileRadius, settingName } from './figures.js';
 
 const kPhone = 560; // pixels of width
 const kTipColumns = 52; // letters
@@ -29,7 +29,7 @@ function commandLines(command) {
 
 function describe(p, axis) {
   return [
-    settingName(p), `profile ${p.profile}, ${p.flux_per_eye} of the flux an eye point`,
+    settingName(p), `profile ${p.profile}, ${part(p.flux_per_row)} of the flux a row`,
     `error ${percent(p.error)} in the mean, ${percent(p.worst)} at the worst face`,
     `${axis.name}: ${axis.text(axis.of(p))}`, '', ...commandLines(p.command),
   ].join('\n');

@@ -27,7 +27,14 @@ export const seconds = (value) =>
 
 export const bytes = (value) => (value < 1024 ? `${value} B` : `${Number((value / 1024).toPrecision(3))} KB`);
 
-export const settingName = (p) => `${p.engine}, R ${p.resolution}, ${p.elements} elements`;
+// Lunes take so many rows for their strongest shots only, a hemicube R rows for every eye.
+const samples = (p) =>
+  p.engine === 'rays' ? `, ${p.resolution} rays a pair` : p.resolution > 0 ? `, R ${p.resolution}` : '';
+export const engineName = (p) => `${p.engine}${samples(p)}`;
+export const settingName = (p) => `${engineName(p)}, ${p.elements} elements`;
+
+// A part of the emitted flux as people say it: 1/6400.
+export const part = (value) => (value >= 1 ? String(value) : `1/${short(1 / value)}`);
 
 // What the horizontal axis can show: {id, name, label, of(point), text(value)}.
 export function axesOf(data) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page of `fixrad sweep`: what can be chosen, and what follows from it.
 import { drawChart } from './chart.js';
-import { axesOf, bytes, engineColour, frontierOf, percent, profileRadius, settingName } from './figures.js';
+import { axesOf, bytes, engineColour, frontierOf, part, percent, profileRadius, settingName } from './figures.js';
 import { Table } from './table.js';
 import { Views } from './views.js';
 
@@ -45,7 +45,7 @@ function drawSetting(point) {
   const list = document.createElement('dl');
   const rows = [
     ['profile', point.profile], ['patches', point.patches], ['shots', point.shots], ['eye points', point.eyes],
-    ['flux an eye point', point.flux_per_eye], ['solver RAM', bytes(point.ram)], ['mean error', percent(point.error)],
+    ['flux a row', part(point.flux_per_row)], ['flux an eye point', part(point.flux_per_eye)], ['solver RAM', bytes(point.ram)], ['mean error', percent(point.error)],
     ['worst face', percent(point.worst)],
     ...axes.filter((a) => a.of(point) !== null).map((a) => [a.name, a.text(a.of(point))]),
   ];
@@ -110,6 +110,7 @@ function drawText() {
     `${data.points.length} settings of ${engines.join(', ')}, each solved to ${data.unshot} % unshot light and measured ` +
     `against path-traced truth, whose own standard error is ${percent(data.truth_error)}.`;
   $('views-note').textContent = `${data.showcase.solutions.length} of the settings have them.`;
+  const withoutCost = engines.filter((e) => !data.targets.some((t) => t.engines.includes(e)));
   const notes = [
     'A circle is one setting: engine by colour, memory profile by size. Host seconds are of one core of the PC that made ' +
       'this page; everything else is the same on every machine.',
@@ -118,7 +119,10 @@ function drawText() {
     'Instructions and cycles come from steps counted on the host, weighted by what each step costs on the core. The ' +
       'weights are fitted to exact counts of whole solutions in emulators; the largest deviation from these: ' +
       `${data.targets.map((t) => `${t.id} ${t.residual.toFixed(1)} % of ${t.measurements}`).join(', ')}. ` +
-      'Whether a setting fits a chip’s memory is another question: see its RAM.',
+      'Whether a setting fits a chip’s memory is another question: see its RAM.' +
+      (withoutCost.length > 0 ? ` Not measured on any core, so with seconds only: ${withoutCost.join(', ')}.` : ''),
+    'Flux a row: a shot is sampled with one row for each such part of the emitted flux, so what is left of it steers ' +
+      'accuracy against time; lunes take at most R of them from one point, the other engines a fixed number from each.',
   ];
   $('notes').replaceChildren(...notes.map((text) => element('p', text)));
 }

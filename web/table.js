@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // All settings as a table that can be sorted.
-import { bytes, percent } from './figures.js';
+import { bytes, part, percent } from './figures.js';
 
 const columnsOf = (axes) => [
   { name: 'engine', of: (p) => p.engine, isWord: true },
-  { name: 'R', of: (p) => p.resolution },
+  { name: 'R', of: (p) => p.resolution || null },
   { name: 'profile', of: (p) => p.profile, isWord: true },
   { name: 'elements', of: (p) => p.elements },
-  { name: 'flux / eye', of: (p) => p.flux_per_eye },
+  { name: 'flux / row', of: (p) => p.flux_per_row, text: part },
   { name: 'RAM', of: (p) => p.ram, text: bytes },
   { name: 'mean error', of: (p) => p.error, text: percent },
   { name: 'worst face', of: (p) => p.worst, text: percent },

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pictures of one setting beside the reference, the map of its errors, and its model.
-import { percent, settingName } from './figures.js';
+import { engineName, percent, settingName } from './figures.js';
 import { ModelView } from './model.js';
 
 const $ = (id) => document.getElementById(id);
@@ -42,7 +42,7 @@ export class Views {
       const chip = document.createElement('button');
       const point = data.points[solution.point];
       chip.type = 'button';
-      chip.textContent = `${point.profile} · ${point.engine} R ${point.resolution} · ${percent(point.error)}`;
+      chip.textContent = `${point.profile} · ${engineName(point).replace(',', '')} · ${percent(point.error)}`;
       chip.addEventListener('click', () => select(point));
       return chip;
     });

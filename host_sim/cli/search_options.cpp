@@ -48,14 +48,22 @@ void add_sweep_options(CLI::App& command, CommonOptions& options, Choices& choic
       ->check(CLI::IsMember(swept_engines()))
       ->delimiter(',')
       ->default_str(CLI::detail::join(swept_engines(), ","));
-  command.add_option("--resolution", choices.resolutions, "Resolutions R")
-      ->check(CLI::IsMember({8, 16, 32, 64, 128}))
+  command.add_option("--resolution", choices.resolutions, "Resolutions R, each for the engines that have it")
+      ->check(CLI::IsMember({4, 8, 16, 32, 64, 128}))
       ->delimiter(',')
-      ->default_str("16,32,64");
-  command.add_option("--flux-per-eye", choices.flux_per_eye, "Emitted flux an eye point, as fractions")
+      ->default_str("lunes 16,64; rows, pixels 16,32,64; rays 4,8,16 a pair");
+  command
+      .add_option("--flux-per-row", choices.flux_per_row,
+                  "Parts of the emitted flux that a row of samples stands for")
       ->check(fraction())
       ->delimiter(',')
-      ->default_str("0.006,0.03");
+      ->default_str("4, 2, 1, 1/2 and 1/4 times the profile's; 2 and 1/2 for engines other than lunes");
+  command
+      .add_option("--flux-per-eye", choices.flux_per_eye,
+                  "Parts of the emitted flux that an eye point of an element stands for (default: the "
+                  "profile's choice)")
+      ->check(fraction())
+      ->delimiter(',');
   command.add_option("--elements", choices.elements, "Most elements (default: the profile's choice)")
       ->check(CLI::Range(1u, 60000u))
       ->delimiter(',');

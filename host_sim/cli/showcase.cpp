@@ -18,7 +18,7 @@ constexpr std::size_t kFrontierPoints = 5;
 constexpr double kScalePart = 0.85;  // of the samples lie within the scale of a map
 constexpr double kDark = 0.1;        // of the scene's mean radiosity: errors below are relative to this
 constexpr std::uint32_t kReferenceElements = 4000;
-constexpr int kReferenceResolution = 64;
+constexpr int kReferenceResolution = 128;
 
 double sum(const glm::dvec3& radiosity) {
   return radiosity.x + radiosity.y + radiosity.z;

@@ -21,8 +21,6 @@ Choices with_defaults(Choices choices) {
   };
   fill(choices.profiles, std::vector<std::string>{"tiny", "small", "medium", "large"});
   fill(choices.engines, swept_engines());
-  fill(choices.resolutions, std::vector<int>{16, 32, 64});
-  fill(choices.flux_per_eye, std::vector<double>{0.006, 0.03});
   return choices;
 }
 
@@ -54,8 +52,8 @@ int run_sweep(const CommonOptions& options, const Choices& choices) {
   if (settings.empty()) {
     throw InputError(
         options.scene +
-        ": error: the scene fits none of these profiles with these settings; add a larger one to "
-        "--profile");
+        ": error: the scene fits none of these profiles with these settings; add a larger one to --profile "
+        "(engine contour needs a scene where no face can hide another)");
   }
   say(options, "tracing the truth, then solving " + std::to_string(settings.size()) + " settings");
   const Truth truth = trace_truth(scene->prepared);

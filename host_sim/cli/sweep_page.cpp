@@ -24,7 +24,8 @@ Json targets() {
     list.push_back({{"id", model.target},
                     {"unit", model.unit},
                     {"residual", percent(model.residual)},
-                    {"measurements", model.measurements}});
+                    {"measurements", model.measurements},
+                    {"engines", model.engines}});
   }
   return list;
 }
@@ -39,7 +40,8 @@ Json point_json(const SweepPoint& point, const std::string& command_start) {
   return {{"profile", point.options.profile},
           {"engine", point.options.engine},
           {"resolution", point.resolution},
-          {"flux_per_eye", point.options.flux_per_eye},
+          {"flux_per_row", point.flux_per_row},
+          {"flux_per_eye", point.flux_per_eye},
           {"elements", point.elements},
           {"patches", point.patches},
           {"shots", point.shots},

@@ -52,6 +52,8 @@ Json point_json(const SweepPoint& point, const CostModel& model, const std::stri
   return {{"command", start + " " + point.command},
           {"engine", point.options.engine},
           {"resolution", point.resolution},
+          {"flux_per_row", point.flux_per_row},
+          {"flux_per_eye", point.flux_per_eye},
           {"elements", point.elements},
           {"patches", point.patches},
           {"ram_bytes", ram_on(model, point)},

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "host_sim/sweep/cost_model.h"
 
+#include <algorithm>
+
 namespace fixrad::host {
+
+bool CostModel::knows(const std::string& engine) const {
+  return std::find(engines.begin(), engines.end(), engine) != engines.end();
+}
 
 const CostModel* find_cost_model(const std::string& target) {
   for (const CostModel& model : cost_models()) {

@@ -17,6 +17,9 @@ struct CostModel {
   double residual;   ///< largest relative deviation from a measurement that the weights were fitted to
   int measurements;  ///< how many these were
   std::uint32_t pointer_bytes;
+  std::vector<std::string> engines;  ///< that have been measured
+
+  bool knows(const std::string& engine) const;
 };
 
 /// One a measured target, in the order of the presets.

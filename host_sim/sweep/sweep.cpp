@@ -18,7 +18,9 @@ SweepPoint solve_setting(const PreparedScene& scene, const Truth& truth, const B
   SweepPoint point;
   point.options = options;
   point.command = bake_options_text(options, result.plan);
-  point.resolution = result.plan.resolution;
+  point.resolution = default_resolutions(options.engine).empty() ? 0 : result.plan.resolution;
+  point.flux_per_row = flux_per_row(options, result.plan);
+  point.flux_per_eye = flux_per_eye(options, result.plan);
   point.elements = result.plan.sizes.elements;
   point.patches = result.plan.meshing.patch_count;
   point.shots = result.shots;
@@ -39,7 +41,8 @@ SweepPoint solve_setting(const PreparedScene& scene, const Truth& truth, const B
 }
 
 std::optional<double> cost_on(const CostModel& model, const SweepPoint& point) {
-  return point.work ? std::optional(cost(model, *point.work)) : std::nullopt;
+  return point.work && model.knows(point.options.engine) ? std::optional(cost(model, *point.work))
+                                                         : std::nullopt;
 }
 
 std::vector<std::size_t> pareto_frontier(const std::vector<double>& cost, const std::vector<double>& error) {

@@ -17,7 +17,8 @@ namespace fixrad::host {
 struct SweepPoint {
   BakeOptions options;
   std::string command;  ///< options of `fixrad bake` for it, without the scene
-  int resolution = 0;
+  int resolution = 0;   ///< 0 for an engine without
+  double flux_per_row = 0, flux_per_eye = 0;
   std::uint32_t elements = 0, patches = 0, shots = 0, eyes = 0, ram_bytes = 0;
   std::uint32_t pools = 0;  ///< bytes of ram_bytes that are the same on every target
   std::size_t rom_bytes = 0;
@@ -34,7 +35,7 @@ struct SweepPoint {
 SweepPoint solve_setting(const PreparedScene& scene, const Truth& truth, const BakeOptions& options,
                          const Progress& progress);
 
-/// A point's cost on a target; nothing without a cost model for its engine.
+/// A point's cost on a target; nothing where the model does not know its engine.
 std::optional<double> cost_on(const CostModel& model, const SweepPoint& point);
 
 /// The Pareto frontier: indices of the points that no other point beats in both `cost` and `error`, by rising

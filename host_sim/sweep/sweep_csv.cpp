@@ -31,8 +31,9 @@ void append_field(std::string& row, std::uint64_t value) {
 
 std::string row_of(const SweepPoint& point, const std::string& command_start) {
   std::string row = point.options.profile + "," + point.options.engine;
-  append_field(row, static_cast<std::uint64_t>(point.resolution));
-  append_field(row, point.options.flux_per_eye);
+  row += point.resolution > 0 ? "," + std::to_string(point.resolution) : ",";
+  append_field(row, point.flux_per_row);
+  append_field(row, point.flux_per_eye);
   append_field(row, point.options.unshot);
   for (const std::uint64_t count :
        {std::uint64_t{point.elements}, std::uint64_t{point.patches}, std::uint64_t{point.shots},
@@ -55,7 +56,8 @@ std::string row_of(const SweepPoint& point, const std::string& command_start) {
 
 std::string sweep_csv(const std::vector<SweepPoint>& points, const std::string& command_start) {
   std::string text =
-      "profile,engine,resolution,flux_per_eye,unshot,elements,patches,shots,eyes,ram_bytes,rom_bytes,"
+      "profile,engine,resolution,flux_per_row,flux_per_eye,unshot,elements,patches,shots,eyes,ram_bytes,rom_"
+      "bytes,"
       "mean_error_percent,worst_error_percent,host_seconds";
   for (const CostModel& model : cost_models()) {
     text += "," + column_of(model);

@@ -17,7 +17,7 @@ struct Truth {
   double standard_error = 0;      ///< mean over faces, relative as FaceMeanError::mean
 };
 
-/// Traces the truth of `scene`. Depends on the scene only, not on the number of threads. Cost: about 5 s a
+/// Traces the truth of `scene`. Depends on the scene only, not on the number of threads. Cost: about 3 s a
 /// core for a room.
 Truth trace_truth(const PreparedScene& scene);
 

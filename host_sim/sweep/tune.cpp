@@ -2,9 +2,9 @@
 #include "host_sim/sweep/tune.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
-#include <tuple>
 
 namespace fixrad::host {
 namespace {
@@ -40,10 +40,10 @@ class Search {
   }
 
  private:
-  // Every profile's way to group elements, on every mesh that fits into `ram`; each plan once.
-  std::vector<Candidate> candidates(std::uint32_t ram, const std::vector<int>& resolutions) const {
+  // Every mesh that fits into `ram`, once, in the smallest profile that holds it.
+  std::vector<Candidate> candidates(std::uint32_t ram, const std::vector<double>& row_factors) const {
     std::vector<Candidate> all;
-    std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> seen;
+    std::set<std::uint32_t> seen;
     const auto faces = static_cast<double>(scene_.faces.size());
     for (const char* profile : {"tiny", "small", "medium", "large"}) {
       for (double n = std::max(40.0, faces); n <= std::max<double>(kMostElements, faces); n *= kMeshStep) {
@@ -57,9 +57,10 @@ class Search {
         if (ram_on(*wish_.model, *plan) > ram || 2 * plan->sizes.elements < n) {
           break;  // finer meshes do not fit either
         }
-        if (seen.insert({plan->sizes.elements, plan->meshing.patch_count, plan->sizes.patches}).second) {
-          for (const int resolution : resolutions) {
-            options.resolution = resolution;
+        if (seen.insert(plan->sizes.elements).second) {
+          const double own = flux_per_row(options, *plan);
+          for (const double factor : row_factors) {
+            options.flux_per_row = short_value(factor * own);
             all.push_back(candidate_of(options, *plan));
           }
         }
@@ -76,15 +77,16 @@ class Search {
     }
   }
 
-  // Rows and elements cost time, not memory: the plan of one resolution serves all.
+  // Rows cost time, not memory: the plan of one number of rows serves all. Rows are what strong shots add to
+  // the few that each of some ten shots an element takes; each crosses about the root of the elements.
   Candidate candidate_of(const BakeOptions& options, const BakePlan& plan) const {
-    const double rows = 16 + options.resolution.value_or(plan.resolution);
-    return {options, ram_on(*wish_.model, plan),
-            rows * plan.meshing.patch_count * (200.0 + plan.sizes.elements)};
+    const double n = plan.sizes.elements;
+    const double rows = 2 / flux_per_row(options, plan) + 40 * n;
+    return {options, ram_on(*wish_.model, plan), rows * (20 + std::sqrt(n)) + 10 * n * n};
   }
 
   void search_meshes(std::uint32_t ram) {
-    std::vector<Candidate> all = candidates(ram, {8, 16, 32, 64});
+    std::vector<Candidate> all = candidates(ram, {8, 4, 2, 1, 0.5, 0.25});
     std::stable_sort(all.begin(), all.end(),
                      [](const Candidate& a, const Candidate& b) { return a.guess < b.guess; });
     double dearest = kUnlimited;
@@ -98,8 +100,8 @@ class Search {
     }
   }
 
-  // Eye points and stop fractions: cheaper ones round what was found or, where all were too dear, round the
-  // cheapest; finer ones where the error is what is missing.
+  // Rows, eye points and stop fractions: cheaper ones round what was found or, where all were too dear, round
+  // the cheapest; finer ones where the error is what is missing.
   void refine() {
     const bool is_missing_accuracy = !result_.cheapest && result_.closest;
     const std::optional<SweepPoint>& start = result_.cheapest  ? result_.cheapest
@@ -112,25 +114,29 @@ class Search {
     const std::vector<Stop> stops = is_missing_accuracy
                                         ? std::vector<Stop>{{0.001, false}, {0.0003, false}}
                                         : std::vector<Stop>{{0.001, false}, {0.003, true}, {0.01, true}};
-    const double factor = is_missing_accuracy ? 0.25 : 1;
-    for (const double flux_per_eye : {0.003, 0.006, 0.012, 0.03, 0.08}) {
-      for (const Stop& stop : stops) {
-        BakeOptions options = middle;
-        options.flux_per_eye = factor * flux_per_eye;
-        options.unshot = stop.unshot;
-        options.ambient = stop.ambient;
-        const std::optional<BakePlan> plan = plan_of(options);
-        if (plan && !result_.interrupted) {
-          consider(candidate_of(options, *plan));
+    const std::vector<double> factors =
+        is_missing_accuracy ? std::vector<double>{1, 0.5, 0.25} : std::vector<double>{0.7, 1, 1.4, 2};
+    for (const double factor : factors) {
+      for (const double flux_per_eye : {0.03, 0.1, 0.3}) {
+        for (const Stop& stop : stops) {
+          BakeOptions options = middle;
+          options.flux_per_row = short_value(factor * start->flux_per_row);
+          options.flux_per_eye = flux_per_eye;
+          options.unshot = stop.unshot;
+          options.ambient = stop.ambient;
+          const std::optional<BakePlan> plan = plan_of(options);
+          if (plan && !result_.interrupted) {
+            consider(candidate_of(options, *plan));
+          }
         }
       }
     }
   }
 
-  // More memory than wished, by rising need, at a resolution that leaves the mesh as the limit.
+  // More memory than wished, by rising need, with so many rows that the mesh is the limit.
   void find_enough() {
     const std::uint32_t most = find_profile("large")->ram_bytes;
-    std::vector<Candidate> all = candidates(most, {64});
+    std::vector<Candidate> all = candidates(most, {0.25});
     std::stable_sort(all.begin(), all.end(),
                      [](const Candidate& a, const Candidate& b) { return a.ram < b.ram; });
     for (const Candidate& candidate : all) {

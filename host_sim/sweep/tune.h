@@ -35,10 +35,10 @@ using Solve = std::function<SweepPoint(const BakeOptions&)>;
 std::uint32_t ram_on(const CostModel& model, const BakePlan& plan);
 std::uint32_t ram_on(const CostModel& model, const SweepPoint& point);
 
-/// Looks for the cheapest setting that fulfils the wish: meshes in steps of 1.4 and resolutions, cheap ones
-/// first and none that are likely to cost several times what was found; then eye points and stop fractions
-/// round the best. Deterministic. `base` gives what the search leaves alone. Cost: some hundred solutions at
-/// most.
+/// Looks for the cheapest setting that fulfils the wish: meshes in steps of 1.4 and numbers of rows, cheap
+/// ones first and none that are likely to cost several times what was found; then rows, eye points and stop
+/// fractions round the best. Deterministic. `base` gives what the search leaves alone. Cost: some hundred
+/// solutions at most.
 Tuned tune(const PreparedScene& scene, const Wish& wish, const BakeOptions& base, const Solve& solve);
 
 }  // namespace fixrad::host

@@ -38,7 +38,7 @@ class EyeCounter {
   void count(const WorkRecorder::Eye& eye) {
     Workspace& work = device_.state().work;
     const Scene& scene = device_.state().scene;
-    make_view(scene, eye.sample.eye, eye.sample.back_faces, work);
+    make_view(scene, eye.sample.eye, backs_in(eye.sample), work);
     make_grids(scene, eye.sample.eye, work);
     sum_[kEye] += 1;
     sum_[kVertex] += scene.vertex_count;
@@ -147,13 +147,35 @@ Observer WorkRecorder::observer() {
   observer.on_eye = [](void* self, const DeltaTable& table, const EyeSample& sample) {
     static_cast<WorkRecorder*>(self)->eyes_.push_back({sample, table});
   };
-  observer.on_shot = [](void* self, std::uint16_t, const Flux*, bool) {
-    auto& recorder = *static_cast<WorkRecorder*>(self);
-    const FormFactorRow& row = recorder.state_->row;
-    recorder.receipts_ += static_cast<std::uint64_t>(
-        std::count_if(row.share, row.share + row.count, [](std::uint32_t share) { return share != 0; }));
-  };
+  observer.on_shot = [](void* self, const Shot& shot) { static_cast<WorkRecorder*>(self)->take_shot(shot); };
   return observer;
+}
+
+void WorkRecorder::take_shot(const Shot& shot) {
+  const FormFactorRow& row = state_->row;
+  const auto reached = static_cast<std::uint64_t>(
+      std::count_if(row.share, row.share + row.count, [](std::uint32_t share) { return share != 0; }));
+  const std::uint64_t channels = state_->scene.channels;
+  transport_[shot.source.kind == SourceKind::face ? kFaceShare : kShare] += reached * channels;
+  transport_[kElement] += row.count;
+  if (!shot.is_emission) {
+    transport_[kUnshot] += unshot_fluxes(shot) * channels;
+  }
+}
+
+// A pass surveys all sources and then asks one after the other, in order, whether it has enough: where their
+// order starts again, a pass has begun. A shot plans its amount and books it; a patch's eyes need the flux of
+// each element twice more.
+std::uint64_t WorkRecorder::unshot_fluxes(const Shot& shot) {
+  const EyeSource& source = shot.source;
+  const bool starts_pass = !last_ || last_->kind != source.kind || source.first <= last_->first;
+  last_ = source;
+  const std::uint64_t sources =
+      source.kind == SourceKind::face ? state_->scene.face_count : state_->scene.element_count;
+  const std::uint64_t of_shot = source.kind == SourceKind::element ? 3
+                                : source.kind == SourceKind::patch ? std::uint64_t{5} * source.count
+                                                                   : 1;
+  return (starts_pass ? 2 * sources : 0) + of_shot;
 }
 
 std::optional<Work> count_work(const BakeResult& result, const BakeOptions& options,
@@ -178,10 +200,7 @@ std::optional<Work> count_work(const BakeResult& result, const BakeOptions& opti
         add(a, b);
         return a;
       });
-  const std::uint64_t channels = result.plan.sizes.channels;
-  work[kShare] = recorder.receipts() * channels;
-  work[kElement] = std::uint64_t{result.shots} * result.plan.sizes.elements;
-  work[kPatch] = std::uint64_t{result.shots} * result.plan.meshing.patch_count * channels;
+  add(work, recorder.transport());
   return work;
 }
 

@@ -27,8 +27,9 @@ enum WorkUnit : unsigned {
   kPixelTest,   ///< pixels of the item buffer that a face covers
   kPixel,       ///< pixels of the item buffer
   kShare,       ///< receipts of flux: elements that a shot reaches, each channel
+  kFaceShare,   ///< the same once faces keep account of what their elements have to send
   kElement,     ///< elements passed by at a shot
-  kPatch,       ///< unshot fluxes searched for the brightest, each channel
+  kUnshot,      ///< unshot fluxes worked out, of elements or faces, each channel
   kWorkUnits
 };
 extern const std::array<const char*, kWorkUnits> kWorkNames;
@@ -50,17 +51,23 @@ class WorkRecorder {
 
   Observer observer();
   const std::vector<Eye>& eyes() const { return eyes_; }
-  std::uint64_t receipts() const { return receipts_; }
+
+  /// The part of the work that eyes do not tell: shares and unshot fluxes.
+  const Work& transport() const { return transport_; }
 
  private:
+  void take_shot(const Shot& shot);
+  std::uint64_t unshot_fluxes(const Shot& shot);
+
   const State* state_;
   std::vector<Eye> eyes_;
-  std::uint64_t receipts_ = 0;
+  Work transport_ = {};
+  std::optional<EyeSource> last_;  // that has shot in a pass
 };
 
 /// Counts the work of a recorded solution by running the geometry of every eye again, on all cores; integer
-/// sums, so the order does not matter. Probes for buried eyes are not counted. Nothing for an engine whose
-/// steps are not known here. Cost: about that of the solution.
+/// sums, so the order does not matter. Probes for buried eyes and passes without a shot are not counted.
+/// Nothing for an engine whose steps are not known here. Cost: about that of the solution.
 std::optional<Work> count_work(const BakeResult& result, const BakeOptions& options,
                                const WorkRecorder& recorder);
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "host_sim/sweep/cost_model.h"
+#include "host_sim/sweep/sweep.h"
 #include "tests/bake/sample.h"
 
 namespace fixrad::host::testing {
@@ -36,10 +36,24 @@ TEST(Work, CountsEveryEyeWithItsVertices) {
   EXPECT_EQ(c.work[kFace], std::uint64_t{c.result.eyes} * c.result.plan.sizes.faces);
 }
 
-TEST(Work, OfLunesHasAtMostRRowsAnEye) {
+TEST(Work, OfLunesHasFourToRRowsAnEye) {
   const Counted c = count("cornell", "lunes");
   EXPECT_LE(c.work[kRow], 16 * c.work[kEye]);
-  EXPECT_GE(c.work[kRow], 8 * c.work[kEye]);  // weak shots take half
+  EXPECT_GE(c.work[kRow], 4 * c.work[kEye]);
+}
+
+TEST(Work, PassesEveryElementAtEveryShot) {
+  const Counted c = count("cornell", "lunes");
+  EXPECT_EQ(c.work[kElement], std::uint64_t{c.result.shots} * c.result.plan.sizes.elements);
+  EXPECT_GT(c.work[kShare], 0u);
+  EXPECT_LE(c.work[kShare] + c.work[kFaceShare], c.work[kElement] * c.result.plan.sizes.channels);
+}
+
+TEST(Work, AsksEveryElementForItsUnshotFluxTwiceAPass) {
+  const Counted c = count("cornell", "lunes");
+  EXPECT_GE(c.work[kUnshot], 2 * std::uint64_t{c.result.plan.sizes.elements} * c.result.plan.sizes.channels);
+  // In a search for the brightest, every shot would ask every element.
+  EXPECT_LT(c.work[kUnshot], c.work[kElement] * c.result.plan.sizes.channels);
 }
 
 TEST(Work, OfAHemicubeHasThreeTimesRRowsAnEye) {
@@ -72,6 +86,17 @@ TEST(Work, OfAnUnknownEngineIsNotGuessed) {
   EXPECT_FALSE(count_work(c.result, options, WorkRecorder(State{})).has_value());
 }
 
+TEST(CostModel, HasNoCostForAnEngineThatWasNotMeasured) {
+  CostModel model = {};
+  model.engines = {"lunes"};
+  SweepPoint point;
+  point.work = Work{};
+  point.options.engine = "lunes";
+  EXPECT_TRUE(cost_on(model, point).has_value());
+  point.options.engine = "pixels";
+  EXPECT_FALSE(cost_on(model, point).has_value());
+}
+
 TEST(CostModel, AddsUpWhatStepsCost) {
   CostModel model = {};
   model.weights[kEye] = 100;
@@ -89,6 +114,7 @@ TEST(CostModel, IsThereForEveryMeasuredTargetAndStaysWithinTenPerCent) {
     ASSERT_NE(model, nullptr) << target;
     EXPECT_LE(model->residual, 0.1) << target;
     EXPECT_GE(model->measurements, 5) << target;
+    EXPECT_TRUE(model->knows("lunes")) << target;
     for (const double weight : model->weights) {
       EXPECT_GE(weight, 0) << target;
     }
