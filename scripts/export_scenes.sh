@@ -19,11 +19,13 @@ if [ $# -gt 1 ] || [ ! -x "$tool" ]; then
   exit 2
 fi
 
-# Scene, profile, options of fixrad export. Mesh and precision of the larger profiles are limited so that a run in an
+# Scene (or name=scene), profile, options of fixrad export. cornell_quick is the least work with which 250 elements stay
+# within 0.8 % of the truth,. Mesh and precision of the larger profiles are limited so that a run in an
 # emulator takes seconds; most of all in the white room, which reflects its light twenty times.
 list='
-cornell tiny
+cornell tiny --elements 120
 cornell small
+cornell_quick=cornell small --flux-per-row 0.00043 --flux-per-eye 0.3
 cornell medium --elements 500
 cornell large --elements 1000
 cornell_grey tiny
@@ -34,10 +36,10 @@ closed_box tiny
 closed_box small
 closed_box medium --elements 500
 closed_box large --elements 800
-white_room tiny --overshoot --unshot 0.01 --flux-per-eye 0.1
-white_room small --overshoot --flux-per-eye 0.05
-white_room medium --elements 150 --unshot 0.01 --flux-per-eye 0.05
-white_room large --elements 250 --unshot 0.01 --flux-per-eye 0.05
+white_room tiny --unshot 0.01
+white_room small
+white_room medium --elements 150 --unshot 0.01
+white_room large --elements 250 --unshot 0.01
 portico tiny
 colonnade small
 colonnade medium
@@ -51,7 +53,7 @@ trap 'rm -rf "$fresh"' EXIT
 printf '%s' "$list" | while read -r scene profile options; do
   [ -n "$scene" ] || continue
   # shellcheck disable=SC2086  # options are words
-  "$tool" --quiet export "scenes/$scene.obj" --profile "$profile" $options -o "$fresh/${scene}_$profile.h"
+  "$tool" --quiet export "scenes/${scene#*=}.obj" --profile "$profile" $options -o "$fresh/${scene%%=*}_$profile.h"
 done
 
 stale=0

@@ -22,6 +22,7 @@ import subprocess
 import sys
 import tempfile
 
+import face_errors
 import targets_page
 from program_sizes import sizes
 
@@ -152,29 +153,41 @@ def export_options():
     """{scene_profile: (scene, profile, options)} of scripts/export_scenes.sh."""
     text = (ROOT / "scripts/export_scenes.sh").read_text()
     lines = re.search(r"^list='\n(.*?)^'", text, re.MULTILINE | re.DOTALL)[1].splitlines()
-    return {"_".join(line.split()[:2]): (*line.split()[:2], line.split()[2:]) for line in lines}
+    entries = {}
+    for scene, profile, *options in (line.split() for line in lines):
+        name, _, source = scene.partition("=")
+        entries[f"{name}_{profile}"] = (source or name, profile, options)
+    return entries
 
 
-def error_of(tool, name):
-    """Mean error of the face radiosities against the path-traced truth, and the truth's standard error."""
+def trace_truth(tool, scene, folder):
+    """Path-traced faces of a scene."""
+    file = pathlib.Path(folder) / f"{scene}.csv"
+    run(tool, "truth", f"scenes/{scene}.obj", "--quiet", "--csv", file)
+    print(f"traced {scene}", file=sys.stderr)
+    return face_errors.read_faces(file)
+
+
+def error_of(tool, name, truth, folder):
+    """Error of the face radiosities against the path-traced truth, and the truth's standard error."""
     scene, profile, options = export_options()[name]
-    with tempfile.TemporaryDirectory() as folder:
-        file = pathlib.Path(folder) / "budget.json"
-        run(tool, "compare", f"scenes/{scene}.obj", "--profile", profile, *options, "--quiet", "--json", file)
-        record = json.loads(file.read_text())
+    faces, record = pathlib.Path(folder) / f"{name}.csv", pathlib.Path(folder) / f"{name}.json"
+    run(tool, "bake", f"scenes/{scene}.obj", "--profile", profile, *options, "--quiet", "--faces-csv", faces, "-o", record)
     header = header_of(name)
-    if record["elements"] != header["elements"]:
-        raise Failure(f"{name}: {tool} makes {record['elements']} elements, the header has {header['elements']}")
-    total = next(e for e in record["errors"] if e["name"] == "total")
-    print(f"compared {name}", file=sys.stderr)
-    return {"digest": header["digest"], "mean": total["mean"], "worst": total["worst"],
-            "truth": record["truth_standard_error"]}
+    elements = json.loads(record.read_text())["elements"]
+    if elements != header["elements"]:
+        raise Failure(f"{name}: {tool} makes {elements} elements, the header has {header['elements']}")
+    error = face_errors.error_of(face_errors.read_faces(faces), truth)
+    return {"digest": header["digest"], "mean": error.mean, "worst": error.worst,
+            "truth": face_errors.uncertainty_of(truth).mean}
 
 
 def measure_errors(tool, known, names):
     new = [n for n in names if known.get(n, {}).get("digest") != header_of(n)["digest"]]
-    with concurrent.futures.ThreadPoolExecutor(WORKERS) as pool:
-        found = dict(zip(new, pool.map(lambda n: error_of(tool, n), new)))
+    with tempfile.TemporaryDirectory() as folder:
+        scenes = sorted({export_options()[n][0] for n in new})
+        truths = {scene: trace_truth(tool, scene, folder) for scene in scenes}
+        found = {n: error_of(tool, n, truths[export_options()[n][0]], folder) for n in new}
     return {n: found.get(n) or known[n] for n in names}
 
 

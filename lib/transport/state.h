@@ -43,7 +43,7 @@ struct Settings {
   const FIXRAD_FLASH DeltaTable* probe = kLunes;   ///< for the question whether an eye is buried
   Fraction stop = fraction(1, 1000);  ///< done when the sum of unshot flux is at most this, in every channel
   /// A shot is sampled with one row for each such part of the emitted flux: accuracy against time.
-  Fraction flux_per_row = fraction(1, 2500);
+  Fraction flux_per_row = fraction(1, 10000);
   Fraction flux_per_eye = fraction(1, 10);  ///< an element gets an eye point for each such part
   bool overshoot = false;  ///< also shoot what the ambient estimate promises (Feda & Purgathofer 1992)
   NearField near_field = nullptr;  ///< corrects the rows of elements; null: they stay as sampled

@@ -156,7 +156,7 @@ TEST(DeviceScene, IsAcceptedByTheCore) {
   for (const Model& model : models()) {
     for (const std::uint32_t elements : {20u, 250u, 1500u}) {
       const Meshed meshed(model, elements, elements / 2);
-      const Status status = check_scene(meshed.device.view(), {65535, 65535, 65535, 65535, 3});
+      const Status status = check_scene(meshed.device.view(), {65535, 65535, 65535, 3});
       EXPECT_EQ(status, Status::ok) << static_cast<int>(status);
     }
   }
