@@ -138,8 +138,8 @@ class EyeCounter {
 }  // namespace
 
 const std::array<const char*, kWorkUnits> kWorkNames = {
-    "eye",      "vertex", "face",  "view",       "band_vertex", "band_face", "row",     "interval",
-    "span_met", "span",   "piece", "pixel_test", "pixel",       "share",     "element", "patch"};
+    "eye",  "vertex", "face",       "view",  "band_vertex", "band_face",  "row",     "interval", "span_met",
+    "span", "piece",  "pixel_test", "pixel", "share",       "face_share", "element", "unshot"};
 
 Observer WorkRecorder::observer() {
   Observer observer = {};
