@@ -26,16 +26,16 @@ COUNT = ROOT / "build/host/host_sim/cli/count_work"
 
 # Name: scene, engine, R, further options. The first fit every board, the others need the profile `small`.
 EVERYWHERE = {
-    "cornell_pixels": ("cornell", "pixels", 16, ["--flux-per-eye", "0.03"]),
+    "cornell_pixels": ("cornell", "pixels", 16, []),
     "cornell_grey_pixels": ("cornell_grey", "pixels", 8, []),
-    "closed_box_pixels": ("closed_box", "pixels", 16, ["--flux-per-eye", "0.03"]),
-    "cornell_rows": ("cornell", "rows", 16, ["--flux-per-eye", "0.03"]),
-    "closed_box_rows": ("closed_box", "rows", 8, ["--flux-per-eye", "0.03"]),
+    "closed_box_pixels": ("closed_box", "pixels", 16, []),
+    "cornell_rows": ("cornell", "rows", 16, []),
+    "closed_box_rows": ("closed_box", "rows", 8, []),
 }
 LARGER = {
-    "colonnade_rows": ("colonnade", "rows", 8, ["--flux-per-eye", "0.03", "--unshot", "0.01"]),
-    "cornell_pixels32": ("cornell", "pixels", 32, ["--flux-per-eye", "0.1"]),
-    "cornell_lunes64": ("cornell", "lunes", 64, ["--flux-per-eye", "0.03"]),
+    "colonnade_rows": ("colonnade", "rows", 8, ["--unshot", "0.01"]),
+    "cornell_pixels32": ("cornell", "pixels", 32, []),
+    "cornell_lunes64": ("cornell", "lunes", 64, ["--flux-per-row", "0.00004"]),
 }
 
 

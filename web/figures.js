@@ -27,9 +27,9 @@ export const seconds = (value) =>
 
 export const bytes = (value) => (value < 1024 ? `${value} B` : `${Number((value / 1024).toPrecision(3))} KB`);
 
-// Lunes take so many rows for their strongest shots only, a hemicube R rows for every eye.
+// Of lunes, R is the most rows that a shot takes from one point; of rays, the number between two elements.
 const samples = (p) =>
-  p.engine === 'rays' ? `, ${p.resolution} rays a pair` : p.resolution > 0 ? `, R ${p.resolution}` : '';
+  p.engine === 'rays' ? `, ${p.resolution} a pair` : p.resolution > 0 ? `, R ${p.resolution}` : '';
 export const engineName = (p) => `${p.engine}${samples(p)}`;
 export const settingName = (p) => `${engineName(p)}, ${p.elements} elements`;
 

@@ -45,8 +45,8 @@ function drawSetting(point) {
   const list = document.createElement('dl');
   const rows = [
     ['profile', point.profile], ['patches', point.patches], ['shots', point.shots], ['eye points', point.eyes],
-    ['flux a row', part(point.flux_per_row)], ['flux an eye point', part(point.flux_per_eye)], ['solver RAM', bytes(point.ram)], ['mean error', percent(point.error)],
-    ['worst face', percent(point.worst)],
+    ['flux a row', part(point.flux_per_row)], ['flux an eye point', part(point.flux_per_eye)],
+    ['solver RAM', bytes(point.ram)], ['mean error', percent(point.error)], ['worst face', percent(point.worst)],
     ...axes.filter((a) => a.of(point) !== null).map((a) => [a.name, a.text(a.of(point))]),
   ];
   for (const [name, value] of rows) {

@@ -47,7 +47,7 @@ void add_sweep_options(CLI::App& command, CommonOptions& options, Choices& choic
   command.add_option("--engine", choices.engines, "Engines to compare")
       ->check(CLI::IsMember(swept_engines()))
       ->delimiter(',')
-      ->default_str(CLI::detail::join(swept_engines(), ","));
+      ->default_str(CLI::detail::join(swept_engines(), ",") + "; rays up to 1000 elements");
   command.add_option("--resolution", choices.resolutions, "Resolutions R, each for the engines that have it")
       ->check(CLI::IsMember({4, 8, 16, 32, 64, 128}))
       ->delimiter(',')

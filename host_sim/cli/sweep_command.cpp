@@ -19,6 +19,7 @@ Choices with_defaults(Choices choices) {
       list = std::move(defaults);
     }
   };
+  choices.leaves_out_slow = choices.engines.empty();
   fill(choices.profiles, std::vector<std::string>{"tiny", "small", "medium", "large"});
   fill(choices.engines, swept_engines());
   return choices;

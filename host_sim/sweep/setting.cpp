@@ -14,6 +14,8 @@
 namespace fixrad::host {
 namespace {
 
+constexpr std::uint32_t kMostRayElements = 1000;
+
 // Empty optionals where the list is empty.
 template <typename T>
 std::vector<std::optional<T>> optional_values(const std::vector<T>& values) {
@@ -142,7 +144,8 @@ std::vector<BakeOptions> all_settings(const PreparedScene& scene, const BakeOpti
       plans[key] = plan_if_it_fits(scene, options);
     }
     const std::optional<BakePlan>& plan = plans[key];
-    if (!plan) {
+    if (!plan ||
+        (choices.leaves_out_slow && options.engine == "rays" && plan->sizes.elements > kMostRayElements)) {
       continue;
     }
     for (const double row_flux : row_fluxes(options, *plan, choices)) {

@@ -19,6 +19,7 @@ struct Choices {
   std::vector<double> flux_per_row;
   std::vector<double> flux_per_eye;
   std::vector<std::uint32_t> elements;
+  bool leaves_out_slow = false;  ///< rays on more than 1,000 elements: their cost is quadratic
 };
 
 /// The engines that a sweep compares, the default one first.

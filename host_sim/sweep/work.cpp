@@ -123,7 +123,10 @@ class EyeCounter {
   void count_pixel_row(const BandRow& row, int resolution_log2) {
     const State& state = device_.state();
     for_each_interval(row, [&](std::uint16_t view, Interval part) {
-      sum_[kPixelTest] += static_cast<std::uint64_t>(part.end - part.begin) >> (kRowLog2 - resolution_log2);
+      // As in the engine, a pixel is covered where its centre is.
+      const int bits = kRowLog2 - resolution_log2;
+      const auto first_from = [bits](std::int32_t x) { return (x + (1 << (bits - 1)) - 1) >> bits; };
+      sum_[kPixelTest] += static_cast<std::uint64_t>(first_from(part.end) - first_from(part.begin));
       if (!state.work.views[view].is_back) {
         count_pieces(view, row.plane, part);
       }
@@ -138,8 +141,8 @@ class EyeCounter {
 }  // namespace
 
 const std::array<const char*, kWorkUnits> kWorkNames = {
-    "eye",      "vertex", "face",  "view",       "band_vertex", "band_face", "row",     "interval",
-    "span_met", "span",   "piece", "pixel_test", "pixel",       "share",     "element", "patch"};
+    "eye",  "vertex", "face",       "view",  "band_vertex", "band_face",  "row",     "interval", "span_met",
+    "span", "piece",  "pixel_test", "pixel", "share",       "face_share", "element", "unshot"};
 
 Observer WorkRecorder::observer() {
   Observer observer = {};

@@ -79,6 +79,11 @@ TEST(Work, IsTheSameHoweverManyThreadsCount) {
   EXPECT_EQ(count("cornell", "lunes").work, count("cornell", "lunes").work);
 }
 
+TEST(Work, HasANameForEveryUnit) {
+  EXPECT_THAT(kWorkNames, ::testing::Each(::testing::NotNull()));
+  EXPECT_STREQ(kWorkNames[kUnshot], "unshot");
+}
+
 TEST(Work, OfAnUnknownEngineIsNotGuessed) {
   const Counted c = count("closed_box", "lunes");
   BakeOptions options;
