@@ -26,7 +26,7 @@ RULES = [(re.compile(file), re.compile(function) if function else None, stage) f
     (r"lib/form_factor/(split|row|delta_table|lune_tables)\.|float_peer/(split|lune_table)\.", None, "split"),
     (r"(lib/form_factor|float_peer)/(rows|row_sampling|lunes|pixels|hidden_share)\.", None, "rows"),
     (r"lib/transport/sampling\.|lib/elements/|float_peer/sampling\.", None, "sampling"),
-    (r"(lib/transport|float_peer)/shooting\.", r"\bscan_patches\b", "search"),
+    (r"(lib/transport|float_peer)/unshot\.", None, "search"),
     (r"(lib/transport|float_peer)/(shooting|state)\.|lib/fixed/cutter\.", None, "distribute"),
     (r"lib/transport/gathering\.", None, "gathering"),
     (r"lib/vertices/|float_peer/vert", None, "vertex"),

@@ -70,10 +70,10 @@ void add_solver_options(CLI::App& command, CommonOptions& options) {
       ->check(CLI::IsMember({"shooting", "gathering"}))
       ->capture_default_str();
   command
-      .add_option(
-          "--resolution", bake.resolution,
-          "R: rows over the hemisphere for the strongest shots, 8 to 128; of a hemicube, pixels along an edge; "
-          "of rays, 4 to 32 a pair")
+      .add_option("--resolution", bake.resolution,
+                  "R: rows over the hemisphere for the strongest shots, 8 to 128; of a hemicube, pixels "
+                  "along an edge; "
+                  "of rays, 4 to 32 a pair")
       ->check(CLI::IsMember({4, 8, 16, 32, 64, 128}))
       ->each(choose_engine);
   command.parse_complete_callback([&bake] {
