@@ -7,7 +7,7 @@ const std::vector<Profile>& profiles() {
   static const std::vector<Profile> all = {
       {"tiny", 6 * 1024, 2, 32, 16, 120, 0.06, 0.05, "ATmega2560"},
       {"small", 13 * 1024, 4, 32, 16, 255, 0.04, 0.005, "Cortex-M0 (micro:bit)"},
-      {"medium", 60 * 1024, 4, 64, 32, 800, 0.03, 0.005, "Cortex-M3, ESP8266, RV32IMC"},
+      {"medium", 60 * 1024, 4, 64, 32, 800, 0.02, 0.005, "Cortex-M3, ESP8266, RV32IMC"},
       {"large", 480 * 1024, 4, 64, 32, 2000, 0.02, 0.005, "Cortex-M4F, M7"},
       {"host", 64 * 1024 * 1024, 8, 128, 64, 6000, 0.02, 0.002, "PC"},
   };

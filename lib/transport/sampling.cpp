@@ -209,14 +209,17 @@ uint16_t strongest_of(const State& state, const EyeSource& source) {
   return strongest;
 }
 
-Status sample_group(State& state, const EyeSource& source, uint32_t rows) {
+// `is_buried` where no element has an eye to send from.
+__attribute__((noinline)) Status sample_group(State& state, const EyeSource& source, uint32_t rows,
+                                              bool& is_buried) {
   GroupEyes group(state, source);
   const Status status = group.add_up();
   if (status != Status::ok) {
     return status;
   }
-  if (group.total() == 0) {
-    return sample_element(state, strongest_of(state, source), 4, rows);
+  is_buried = group.total() == 0;
+  if (is_buried) {
+    return Status::ok;
   }
   const uint32_t wanted = (rows >> flash_at(state.settings.tables, 0).resolution_log2) + 1;
   const uint32_t most = source.count < kMostGroupEyes ? source.count : kMostGroupEyes;
@@ -266,7 +269,9 @@ Status sample_source(State& state, const EyeSource& source, uint64_t flux) {
     return sample_element(state, source.first, eyes, rows);
   }
   withdraw(state);
-  return sample_group(state, source, rows);
+  bool is_buried = false;
+  const Status status = sample_group(state, source, rows, is_buried);
+  return is_buried ? sample_element(state, strongest_of(state, source), 4, rows) : status;
 }
 
 }  // namespace fixrad

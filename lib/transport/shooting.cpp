@@ -69,15 +69,15 @@ uint32_t give_shares_to_faces(State& state, FluxCutter* cutter) {
   return given;
 }
 
-void distribute(State& state, const Flux* amount) {
+// Not inlined, as start_pass(): what they keep on the stack is not to lie under the engine's.
+__attribute__((noinline)) void distribute(State& state, const Flux* amount) {
   const uint32_t phase = (state.shots * kGoldenStep) >> 12;
   FluxCutter cutter[kMaxChannels] = {{amount[0], phase}, {amount[1], phase}, {amount[2], phase}};
   const int channels = state.scene.channels;
-  const auto give = state.sweep.kind == SourceKind::face ? give_shares_to_faces
-                    : channels == 1                      ? give_shares<1>
-                    : channels == 2                      ? give_shares<2>
-                                                         : give_shares<3>;
-  const uint32_t given = give(state, cutter);
+  const uint32_t given = state.sweep.kind == SourceKind::face ? give_shares_to_faces(state, cutter)
+                         : channels == 1                      ? give_shares<1>(state, cutter)
+                         : channels == 2                      ? give_shares<2>(state, cutter)
+                                                              : give_shares<3>(state, cutter);
   for (int c = 0; c < channels; ++c) {
     state.escaped[c] += cutter[c].cut(state.row.escaped).raw;
     state.back[c] += cutter[c].cut(kRowOne - given - state.row.escaped).raw;
@@ -173,7 +173,7 @@ uint64_t floor_of(const State& state) {
 
 // Starts a pass, with larger sources where those of the last one have too little left for shots of their own.
 // False when the solution has converged.
-bool start_pass(State& state) {
+__attribute__((noinline)) bool start_pass(State& state) {
   Sweep& sweep = state.sweep;
   Survey survey = survey_unshot(state);
   if (is_converged(state, survey, 1)) {

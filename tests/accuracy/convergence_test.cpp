@@ -46,25 +46,24 @@ BakeOptions all_options_on(const std::string& profile, const Model& model) {
   return options;
 }
 
-// The brightest of n patches holds at least 1/n of the unshot flux, and of what it sends at most rho comes
+// The brightest of n elements holds at least 1/n of the unshot flux, and of what it sends at most rho comes
 // back: k shots leave at most (1 - (1 - rho) / n)^k (Southwell's method, Gortler et al. 1994, "Radiosity and
 // Relaxation Methods"). Overshooting is to need fewer; if it diverged, it would go on.
-std::uint32_t most_shots(const Model& model, std::uint32_t patches) {
+std::uint32_t most_shots(const Model& model, std::uint32_t elements) {
   double rho = 0;
   for (const Material& material : model.materials) {
     rho = std::max({rho, material.reflectance.x, material.reflectance.y, material.reflectance.z});
   }
-  return static_cast<std::uint32_t>(std::ceil(patches * -std::log(kUnshot) / (1 - rho)));
+  return static_cast<std::uint32_t>(std::ceil(elements * -std::log(kUnshot) / (1 - rho)));
 }
 
-// Profile small shoots groups of elements, medium single ones.
 class Convergence : public ::testing::TestWithParam<std::tuple<std::string, std::string>> {};
 
 TEST_P(Convergence, TakesNoMoreShotsThanTheBrightestFirstNeedAndTheLedgerBalances) {
   const Model model = read_obj(std::get<1>(GetParam()), {});
   const PreparedScene prepared = prepare(model);
   const BakeOptions options = all_options_on(std::get<0>(GetParam()), model);
-  const std::uint32_t limit = most_shots(model, make_plan(prepared, options).meshing.patch_count);
+  const std::uint32_t limit = most_shots(model, make_plan(prepared, options).sizes.elements);
   const BakeResult result =
       bake(prepared, options, [limit](std::uint32_t shots, double, double) { return shots <= limit; });
   ASSERT_FALSE(result.interrupted) << result.shots << " shots, " << result.unshot_fraction << " unshot";

@@ -15,6 +15,7 @@ Settings peer_settings(Fraction stop) {
   settings.table_count = 4;
   settings.probe = kLunes;
   settings.stop = stop;
+  settings.flux_per_row = fraction(1, 40000);  // near ties of who shoots first then matter little
   return settings;
 }
 

@@ -20,22 +20,22 @@ from avr_code import read_avr
 from call_graph import INDIRECT_CALL, Function, Refused, demangled, read_ci
 
 # What may be called through a pointer, by caller. Settings::engine is called where an eye is sampled; a firmware's
-# Settings::observer is null. shoot() chooses a loop by the number of channels.
+# Settings::observer is null; which of the functions round look() the compiler has merged with it differs.
 # Functions that work pair by pair keep polygons on the stack: an ATmega2560 has none for them, and the programs of
 # the project do not name them.
 NEAR_FIELD = ("correct_near_field",)
 PAIRS = ("ray_row", "contour_row") + NEAR_FIELD
 ENGINES = ("hemicube_rows", "lune_rows", "hemicube_pixels", "ray_row", "contour_row")
 INDIRECT = (
-    ("sample_source", ENGINES),
-    ("look", ENGINES),
+    *((name, ENGINES) for name in ("look", "look_from_centroid", "sample", "sample_buried", "sample_group",
+                                   "sample_element", "sample_source")),
     ("sample_matrix_row", ENGINES + NEAR_FIELD),
     ("withdraw", ()),
     # Start-up code calls the static constructors, then main().
     ("reset_handler", ("_GLOBAL__sub_I_*",)),
     ("start", ("_GLOBAL__sub_I_*",)),
-    ("shoot", ENGINES + NEAR_FIELD + ("scan_patches",)),
-    ("scan_patches", ("scan_patches",)),
+    ("fire", ENGINES + NEAR_FIELD),
+    ("shoot", ENGINES + NEAR_FIELD),
 )
 
 # Bytes that the compiler's helpers use in all, read off their disassembly and rounded up: the deepest path through
