@@ -25,7 +25,7 @@ fi
 list='
 cornell tiny --elements 120
 cornell small
-cornell_quick=cornell small --flux-per-row 0.00043 --flux-per-eye 0.3
+cornell_quick=cornell small --elements 250 --flux-per-row 0.00045 --flux-per-eye 0.3
 cornell medium --elements 500
 cornell large --elements 1000
 cornell_grey tiny
