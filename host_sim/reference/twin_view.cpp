@@ -63,7 +63,8 @@ void make_twin_view(const TwinScene& scene, const EyePoint& eye, Backs backs, Tw
     const TwinFace& face = scene.faces[f];
     const double height = glm::dot(face.normal, position - scene.vertices[scene.corners[face.first_corner]]);
     const bool is_back = height < -kEdgeOn;
-    const bool is_left_out = is_back && (backs == Backs::none || (backs == Backs::unsealed && face.is_sealed));
+    const bool is_left_out =
+        is_back && (backs == Backs::none || (backs == Backs::unsealed && face.is_sealed));
     if (f == eye.face || is_left_out || is_below_horizon(scene, face, view.directions)) {
       continue;
     }

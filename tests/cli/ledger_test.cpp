@@ -96,7 +96,8 @@ TEST(Ledger, GatheringBalancesToo) {
 }
 
 TEST(Ledger, PixelsBalanceToo) {
-  const auto json = baked_json(sample_scene("cornell"), {"--engine", "pixels", "--profile", "small", "--no-overshoot"});
+  const auto json =
+      baked_json(sample_scene("cornell"), {"--engine", "pixels", "--profile", "small", "--no-overshoot"});
   EXPECT_EQ(json["engine"], "pixels");
   expect_balance(json);
 }

@@ -131,7 +131,8 @@ TEST_P(TwinOfPixels, ArithmeticErrorRoundATurnedBoxIsWithinTheBar) {
   add_room(room, 6);
   add_turned_box(room, 4);
   Settings settings = GetParam().settings();
-  settings.flux_per_eye = fraction(1, 2000);  // else a pixel of one view is a large part of an element's light
+  settings.flux_per_eye =
+      fraction(1, 2000);  // else a pixel of one view is a large part of an element's light
   expect_within(FixedRun(room.scene(), settings), kPixelBar);
 }
 
