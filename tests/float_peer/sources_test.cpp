@@ -31,6 +31,7 @@ Solution core_of(const Case& c) {
   options.patches = 40;
   options.spans = 1000;
   options.settings = peer_settings(fraction(1, 1000));
+  options.settings.flux_per_row = fraction(1, 2500);  // so that much is left for patches and faces
   options.settings.overshoot = c.overshoot;
   return Solution(c.make(), options);
 }
