@@ -23,7 +23,7 @@ fi
 # within 0.8 % of the truth,. Mesh and precision of the larger profiles are limited so that a run in an
 # emulator takes seconds; most of all in the white room, which reflects its light twenty times.
 list='
-cornell tiny --elements 120
+cornell tiny --elements 120 --flux-per-row 0.00055
 cornell small
 cornell_quick=cornell small --elements 250 --flux-per-row 0.00045 --flux-per-eye 0.3
 cornell medium --elements 500

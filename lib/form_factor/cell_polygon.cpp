@@ -113,7 +113,8 @@ bool ElementCellWalk::next() {
   if (column_ > row_.last_cell && !next_row()) {
     return false;
   }
-  cells_.element = static_cast<uint16_t>(row_.first_element + column_ - row_.first_cell);
+  cells_.element =
+      static_cast<uint16_t>(row_.first_element + static_cast<unsigned>(column_ - row_.first_cell));
   cells_.first_u = static_cast<uint8_t>(column_ == row_.first_cell ? 0 : column_);
   cells_.end_u = static_cast<uint8_t>(column_ == row_.last_cell ? face_.cells_u : column_ + 1);
   ++column_;

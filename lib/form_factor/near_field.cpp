@@ -35,7 +35,7 @@ class NearPairs {
   }
 
   // Adds what the element sends to the marked ones.
-  void add() {
+  void add_pairs() {
     const Face face = flash_read(scene_.faces, own_.face);
     const AreaSource source(scene_, face, cells_of(scene_, face, from_));
     blockers_.enter_source(own_.face, source.polygon());
@@ -93,7 +93,7 @@ class NearPairs {
 void correct_near_field(const Scene& scene, uint16_t element, Workspace& work, FormFactorRow& row) {
   NearPairs pairs(scene, element, work, row);
   if (pairs.mark()) {
-    pairs.add();
+    pairs.add_pairs();
     balance_row(row, kRowOne);
   }
 }

@@ -24,7 +24,7 @@ from call_graph import INDIRECT_CALL, Function, Refused, demangled, read_ci
 # Functions that work pair by pair keep polygons on the stack: an ATmega2560 has none for them, and the programs of
 # the project do not name them.
 NEAR_FIELD = ("correct_near_field",)
-PAIRS = ("ray_row", "contour_row") + NEAR_FIELD
+PAIRS = ("ray_row", "contour_row", "add_pairs") + NEAR_FIELD
 ENGINES = ("hemicube_rows", "lune_rows", "hemicube_pixels", "ray_row", "contour_row")
 INDIRECT = (
     *((name, ENGINES) for name in ("look", "look_from_centroid", "sample", "sample_buried", "sample_group",
