@@ -201,7 +201,8 @@ TEST(SpanPool, ThatWasTooSmallForAWhileChangesNothing) {
   int refusals = 0;
   bool is_small = true;
   for (Status status = Status::ok; status != Status::converged;) {
-    state.work.span_capacity = is_small ? whole.state().work.span_high_water / 2 : large;
+    const auto half = static_cast<std::uint16_t>(whole.state().work.span_high_water / 2);
+    state.work.span_capacity = is_small ? half : large;
     const std::uint32_t shots = state.shots;
     const std::int64_t unshot = ledger(state, 0).unshot, absorbed = ledger(state, 0).absorbed;
     status = shoot(state);
