@@ -16,6 +16,7 @@
 // clang-format on
 
 #include "lib/transport/gathering.h"
+#include "lib/transport/irradiance.h"
 #include "lib/transport/shooting.h"
 #include "lib/transport/unshot.h"
 #include "lib/vertices/digest.h"

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "host_sim/meshing/segment_part.h"
+
 namespace fixrad::host {
 namespace {
 
@@ -60,24 +62,14 @@ Corners clip(const Corners& polygon, const glm::dvec3& on_line, const glm::dvec3
 
 /// Length of a segment's part within a convex polygon.
 double length_within(const Edge& edge, const MeshElement& element) {
-  const glm::dvec3 direction = edge.b - edge.a;
-  double first = 0.0;
-  double last = 1.0;
+  SegmentPart part;
   for (std::size_t k = 0; k < element.polygon.size(); ++k) {
     const glm::dvec3& p = element.polygon[k];
     const glm::dvec3& q = element.polygon[(k + 1) % element.polygon.size()];
     const glm::dvec3 inward = glm::cross(element.normal, q - p);
-    const double start = glm::dot(edge.a - p, inward);
-    const double slope = glm::dot(direction, inward);
-    if (slope > 0.0) {
-      first = std::max(first, -start / slope);
-    } else if (slope < 0.0) {
-      last = std::min(last, -start / slope);
-    } else if (start < 0.0) {
-      return 0.0;
-    }
+    part.keep_where(glm::dot(edge.a - p, inward), glm::dot(edge.b - p, inward));
   }
-  return std::max(0.0, last - first) * glm::length(direction);
+  return part.length() * glm::length(edge.b - edge.a);
 }
 
 /// An element with another outline in its plane.

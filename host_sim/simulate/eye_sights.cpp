@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "host_sim/meshing/segment_part.h"
 #include "host_sim/simulate/simulated_device.h"
 
 namespace fixrad::host {
@@ -61,20 +62,12 @@ Box2d contact_of(const DeviceScene& device, const Plane& plane, const fixrad::Fa
   for (std::size_t k = 0; k < face.corner_count; ++k) {
     const glm::dvec3 a = corner(device, face, k), b = corner(device, face, k + 1);
     const double from = plane.height(a), to = plane.height(b);
-    double begin = 0, end = 1;
-    for (const double side : {1.0, -1.0}) {  // keeps side * height <= kContact
-      const double p = kContact - side * from, q = side * (to - from);
-      if (q > 0) {
-        end = std::min(end, p / q);
-      } else if (q < 0) {
-        begin = std::max(begin, p / q);
-      } else if (p < 0) {
-        end = -1;
-      }
-    }
-    if (begin <= end) {
-      box.add(plane.flat(glm::mix(a, b, begin)));
-      box.add(plane.flat(glm::mix(a, b, end)));
+    SegmentPart near;
+    near.keep_where(kContact - from, kContact - to);
+    near.keep_where(kContact + from, kContact + to);
+    if (near.begin <= near.end) {
+      box.add(plane.flat(glm::mix(a, b, near.begin)));
+      box.add(plane.flat(glm::mix(a, b, near.end)));
     }
   }
   return box;

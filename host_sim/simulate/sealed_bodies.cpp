@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "host_sim/meshing/segment_part.h"
 #include "host_sim/simulate/simulated_device.h"
 #include "lib/form_factor/row_sampling.h"
 
@@ -72,47 +73,37 @@ class Bodies {
   std::map<Edge, std::size_t> owner_;
 };
 
-// The part of a segment (0..1) that lies on a face, with kContact to spare; empty if first >= second.
-std::pair<double, double> part_on(const DeviceScene& device, const fixrad::Face& face, glm::dvec3 a,
-                                  glm::dvec3 b) {
+// The part of a segment that lies on a face, with kContact to spare.
+SegmentPart part_on(const DeviceScene& device, const fixrad::Face& face, glm::dvec3 a, glm::dvec3 b) {
   const glm::dvec3 normal = glm::normalize(glm::dvec3(face.normal[0], face.normal[1], face.normal[2]));
-  double begin = 0, end = 1;
-  const auto keep = [&](double at_a, double at_b) {  // where the linear function is >= 0
-    if (at_a < 0 && at_b < 0) {
-      end = -1;
-    } else if (at_a < 0) {
-      begin = std::max(begin, at_a / (at_a - at_b));
-    } else if (at_b < 0) {
-      end = std::min(end, at_a / (at_a - at_b));
-    }
-  };
+  SegmentPart part;
   const glm::dvec3 origin = position(device, corner(device, face, 0));
   const double height_a = glm::dot(a - origin, normal), height_b = glm::dot(b - origin, normal);
-  keep(kContact - height_a, kContact - height_b);
-  keep(kContact + height_a, kContact + height_b);
+  part.keep_where(kContact - height_a, kContact - height_b);
+  part.keep_where(kContact + height_a, kContact + height_b);
   for (std::size_t k = 0; k < face.corner_count; ++k) {
     const glm::dvec3 p = position(device, corner(device, face, k));
     const glm::dvec3 along = glm::normalize(position(device, corner(device, face, k + 1)) - p);
     const glm::dvec3 inwards = glm::cross(normal, along);
-    keep(glm::dot(a - p, inwards) + kContact, glm::dot(b - p, inwards) + kContact);
+    part.keep_where(glm::dot(a - p, inwards) + kContact, glm::dot(b - p, inwards) + kContact);
   }
-  return {begin, end};
+  return part;
 }
 
 bool is_covered(const DeviceScene& device, const Bodies& bodies, const Edge& edge, std::size_t own) {
   const glm::dvec3 a = position(device, edge.first), b = position(device, edge.second);
-  std::vector<std::pair<double, double>> parts;
+  std::vector<SegmentPart> parts;
   for (std::size_t f = 0; f < device.faces.size(); ++f) {
-    const auto part = bodies.of(f) == own ? std::pair(0.0, 0.0) : part_on(device, device.faces[f], a, b);
-    if (part.first < part.second) {
-      parts.push_back(part);
+    if (bodies.of(f) != own) {
+      parts.push_back(part_on(device, device.faces[f], a, b));
     }
   }
-  std::sort(parts.begin(), parts.end());
+  std::sort(parts.begin(), parts.end(),
+            [](const SegmentPart& p, const SegmentPart& q) { return p.begin < q.begin; });
   const double slack = kContact / std::max(kContact, glm::length(b - a));
   double covered = 0;
-  for (const auto& [begin, end] : parts) {
-    covered = begin <= covered + slack ? std::max(covered, end) : covered;
+  for (const SegmentPart& part : parts) {
+    covered = part.begin <= covered + slack ? std::max(covered, part.end) : covered;
   }
   return covered >= 1 - slack;
 }
@@ -127,7 +118,7 @@ void for_backs_in_view(State& state, std::uint16_t e, Report report) {
   enter_band(state.scene, table, 0, kBandRows, work);
   VisibleSpans visible(work);
   for (int r = 0; r < kBandRows; ++r) {
-    const BandRow row = {row_plane(table, r), static_cast<RowMask>(1u << r)};
+    const BandRow row = band_row(table, 0, r);
     if (!find_visible(state.scene, row, work, visible)) {
       return;  // the solver will say why
     }
@@ -153,7 +144,8 @@ void seal_bodies(DeviceScene& device, const Sizes& sizes) {
     const std::size_t body = bodies.of(face);
     is_open[body] = is_open[body] || !is_covered(device, bodies, edge, body);
   }
-  for (std::uint16_t e = 0; e < device.elements.size(); ++e) {
+  for (std::size_t i = 0; i < device.elements.size(); ++i) {
+    const auto e = static_cast<std::uint16_t>(i);
     if (device.sights[e] == Sight::centroid_clear || device.sights[e] == Sight::all_clear) {
       for_backs_in_view(probe.state(), e, [&](std::uint16_t f) { is_open[bodies.of(f)] = true; });
     }

@@ -4,8 +4,6 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
-#include <algorithm>
-
 #include "lib/form_factor/scanline.h"
 #include "lib/form_factor/spans.h"
 #include "lib/form_factor/split.h"
@@ -52,7 +50,7 @@ class EyeCounter {
         sum_[kVertex] += scene.vertex_count;
       }
       for (int first = side == kTop ? 0 : size / 2; first < size; first += kBandRows) {
-        count_band(eye.table, side, first, std::min(size - first, kBandRows));
+        count_band(eye.table, side, first, band_count(eye.table, first));
       }
     }
   }

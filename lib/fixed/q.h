@@ -43,10 +43,6 @@ using Flux = Q<int32_t, 0>;
 /// An area in 1/8 square grid units: UQ29.3.
 using Area = Q<uint32_t, 3>;
 
-/// A form factor below 1: UQ0.16, as in the matrix of gathering. (Rows need 1.0 and finer steps, see
-/// kRowOne.)
-using FormFactor = Q<uint16_t, 16>;
-
 /// A radiosity in the scene's radiosity unit: UQ32.0.
 using Radiosity = Q<uint32_t, 0>;
 

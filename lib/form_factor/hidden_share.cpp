@@ -27,10 +27,10 @@ Status hidden_share(const Scene& scene, const DeltaTable& table, const EyePoint&
   uint32_t hidden = 0;
   uint32_t all = 0;
   for (int first = 0; first < size; first += kBandRows) {
-    const int count = size - first < kBandRows ? size - first : kBandRows;
+    const int count = band_count(table, first);
     enter_band(scene, table, first, count, work);
     for (int i = 0; i < count; ++i) {
-      const BandRow row = {row_plane(table, first + i), static_cast<RowMask>(1u << i)};
+      const BandRow row = band_row(table, first, i);
       if (!find_visible(scene, row, work, visible)) {
         return Status::span_pool_full;
       }

@@ -11,7 +11,7 @@ Status lune_rows(const Scene& scene, const DeltaTable& table, const EyeSample& s
   const int size = 1 << table.resolution_log2;
   uint32_t base = 0;
   for (int first = 0; first < size; first += kBandRows) {
-    const int count = size - first < kBandRows ? size - first : kBandRows;
+    const int count = band_count(table, first);
     enter_band(scene, table, first, count, work);
     if (!sample_band(scene, {table, true, first, count, !sample.back_faces}, work, base, writer)) {
       return Status::span_pool_full;

@@ -54,10 +54,10 @@ void draw_side(const Scene& scene, const DeltaTable& table, int side, Workspace&
     work.items[i] = {kEscapedSlot, kNothing};
   }
   for (int first = side == kTop ? 0 : size / 2; first < size; first += kBandRows) {
-    const int count = size - first < kBandRows ? size - first : kBandRows;
+    const int count = band_count(table, first);
     enter_side_band(scene, table, side, first, count, work);
     for (int r = 0; r < count; ++r) {
-      const PixelRow row = {{row_plane(table, first + r), static_cast<RowMask>(1u << r)},
+      const PixelRow row = {band_row(table, first, r),
                             work.items + (static_cast<uint32_t>(first + r) << table.resolution_log2),
                             table.resolution_log2};
       for (uint16_t i = 0; i < work.view_count; ++i) {

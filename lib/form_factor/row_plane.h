@@ -16,10 +16,12 @@ namespace fixrad {
 struct RowPlane {
   int32_t y, z;   ///< m, Q11; |m| <= sqrt(2) on a hemicube, 1 on a lune
   uint32_t fold;  ///< 0 on a hemicube; all ones on a lune
-
-  /// w of position x = p - kRowMiddle.
-  int32_t weight(int32_t x) const { return kRowMiddle - static_cast<int32_t>(magnitude(x) & fold); }
 };
+
+/// w of position x = p - kRowMiddle.
+inline int32_t row_weight(int32_t x, uint32_t fold) {
+  return kRowMiddle - static_cast<int32_t>(magnitude(x) & fold);
+}
 
 constexpr int kPlaneBits = 11;
 
@@ -89,10 +91,21 @@ inline int32_t crossing_within(Interval part, bool rises, int32_t x, int32_t m, 
 using RowMask = uint16_t;
 constexpr int kBandRows = 16;
 
+/// Rows of the band that begins at row `first` of a table of R.
+inline int band_count(const DeltaTable& table, int first) {
+  const int rest = (1 << table.resolution_log2) - first;
+  return rest < kBandRows ? rest : kBandRows;
+}
+
 /// The row that is being sampled, and its bit in the band's masks.
 struct BandRow {
   RowPlane plane;
   RowMask bit;
 };
+
+/// Row `i` of the band that begins at row `first`.
+inline BandRow band_row(const DeltaTable& table, int first, int i) {
+  return {row_plane(table, first + i), static_cast<RowMask>(1u << i)};
+}
 
 }  // namespace fixrad

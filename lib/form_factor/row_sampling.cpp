@@ -63,7 +63,7 @@ bool sample_band(const Scene& scene, const BandSample& band, Workspace& work, ui
                  RowWriter& writer) {
   VisibleSpans visible(work);
   for (int i = 0; i < band.count; ++i) {
-    const BandRow row = {row_plane(band.table, band.first + i), static_cast<RowMask>(1u << i)};
+    const BandRow row = band_row(band.table, band.first, i);
     if (!find_visible(scene, row, work, visible)) {
       return false;
     }

@@ -16,7 +16,7 @@ struct RowDepth {
 
   int32_t at(int32_t position) const {
     const int32_t from_middle = position - kRowMiddle;
-    return x * from_middle + m * (kRowMiddle - static_cast<int32_t>(magnitude(from_middle) & fold));
+    return x * from_middle + m * row_weight(from_middle, fold);
   }
 };
 RowDepth row_depth(const FaceView& view, const RowPlane& plane);

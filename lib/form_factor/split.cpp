@@ -28,8 +28,8 @@ ElementWalk::ElementWalk(const Scene& scene, const FaceView& view, const RowPlan
   u_ = v_ = {0, 0, 0, part.end, 0, 1, 0};
   if (view_.cells_u * view_.cells_v > 1) {
     const int32_t x0 = part.begin - kRowMiddle, x1 = part.end - kRowMiddle;
-    begin_point_ = {x0, plane.weight(x0)};
-    end_point_ = {x1, plane.weight(x1)};
+    begin_point_ = {x0, row_weight(x0, plane.fold)};
+    end_point_ = {x1, row_weight(x1, plane.fold)};
     weight_x_ = view.grid_n.x;
     weight_m_ = along(view.grid_n, plane);
     begin_weight_ = begin_point_.of(weight_x_, weight_m_);

@@ -26,11 +26,16 @@ void set_sent(State& state, uint16_t e, int c, uint16_t sent) {
                                           : (pair & 0xffff0000u) | sent);
 }
 
-int32_t element_unshot(const State& state, uint16_t e, int c) {
-  return reflected_flux(state, e, c).raw - static_cast<int32_t>(sent_flux(state, e, c));
+int32_t unsent(Flux reflected, const int32_t* account, uint16_t e) {
+  return reflected.raw - static_cast<int32_t>(long_flux(half_of(account, e)));
 }
 
-// Unshot flux of elements, all channels: every pass asks for that of every element, so it is spelled out.
+int32_t element_unshot(const State& state, uint16_t e, int c) {
+  return unsent(reflected_flux(state, e, c), account_of(state, c), e);
+}
+
+// Unshot flux of elements, all channels: every pass asks for that of every element, so what does not change
+// is looked up once.
 class ElementUnshot {
  public:
   explicit ElementUnshot(const State& state)
@@ -43,8 +48,7 @@ class ElementUnshot {
     const int32_t* account = state_.accounts;
     for (unsigned c = 0; c < channels_; ++c, account += words_) {
       const Reflectance reflectance = Reflectance::from_raw(material.reflectance[c]);
-      unshot[c] += reflect(reflectance, Flux::from_raw(received[c])).raw -
-                   static_cast<int32_t>(long_flux(half_of(account, e)));
+      unshot[c] += unsent(reflect(reflectance, Flux::from_raw(received[c])), account, e);
     }
   }
 

@@ -7,6 +7,8 @@ namespace fixrad {
 namespace device_test {
 namespace {
 
+using UnsignedFraction = Q<uint16_t, 16>;
+
 TEST(QFormat, SumsStayInTheirFormat) {
   const Flux a = Flux::from_raw(2000000000);
   const Flux b = Flux::from_raw(-1999999999);
@@ -20,9 +22,9 @@ TEST(QFormat, SumsStayInTheirFormat) {
 }
 
 TEST(QFormat, SixteenBitFormatsWrapAtTheirOwnWidth) {
-  const FormFactor one_less = FormFactor::from_raw(0xffff);
-  EXPECT_EQ((one_less + FormFactor::from_raw(2)).raw, 1u);
-  EXPECT_EQ((FormFactor::from_raw(0) - FormFactor::from_raw(1)).raw, 0xffffu);
+  const UnsignedFraction one_less = UnsignedFraction::from_raw(0xffff);
+  EXPECT_EQ((one_less + UnsignedFraction::from_raw(2)).raw, 1u);
+  EXPECT_EQ((UnsignedFraction::from_raw(0) - UnsignedFraction::from_raw(1)).raw, 0xffffu);
 }
 
 TEST(QFormat, OrdersByValue) {
@@ -35,7 +37,7 @@ TEST(QFormat, OrdersByValue) {
 TEST(QFormat, AFormatIsAsLargeAsItsInteger) {
   EXPECT_EQ(sizeof(Flux), sizeof(int32_t));
   EXPECT_EQ(sizeof(Reflectance), sizeof(uint32_t));
-  EXPECT_EQ(sizeof(FormFactor), sizeof(uint16_t));
+  EXPECT_EQ(sizeof(UnsignedFraction), sizeof(uint16_t));
 }
 
 }  // namespace

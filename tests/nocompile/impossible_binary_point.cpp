@@ -8,6 +8,6 @@ using Fine = fixrad::Q<int32_t, 16>;
 const fixrad::Q<uint16_t, 17> impossible = fixrad::Q<uint16_t, 17>::from_raw(0);
 #endif
 
-uint16_t half() {
-  return fixrad::FormFactor::from_raw(0x8000u).raw;
+uint32_t half() {
+  return fixrad::Reflectance::from_raw(0x80000000u).raw;
 }
