@@ -24,7 +24,7 @@ endfunction()
 # fixrad_whole_program(target...): optimise across files where the final link asks for it too. Fat objects keep the
 # libraries usable for links that do not.
 function(fixrad_whole_program)
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT FIXRAD_SANITIZE)
+  if(FIXRAD_WHOLE_PROGRAM AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT FIXRAD_SANITIZE)
     foreach(target ${ARGN})
       set_target_properties(${target} PROPERTIES INTERPROCEDURAL_OPTIMIZATION ON)
       target_compile_options(${target} PRIVATE -ffat-lto-objects)
