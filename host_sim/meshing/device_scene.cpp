@@ -55,7 +55,11 @@ class Builder {
     }
     for (std::size_t f = 0; f < scene_.faces.size(); ++f) {
       add_face(f);
+      add_roots(f);
       add_elements(f);
+    }
+    if (device_.cuts.empty()) {
+      device_.roots.clear();  // every cell is the element of its own number
     }
     add_patches();
     add_blockers();
@@ -89,12 +93,28 @@ class Builder {
     }
     for (int v = 0; v < cut.cells_v; ++v) {
       const auto row = static_cast<std::size_t>(v);
-      const auto first = device_.elements.size() + static_cast<std::size_t>(cut.row_first[row]);
+      const auto first = device_.roots.size() + static_cast<std::size_t>(cut.row_first[row]);
       device_.cell_rows.push_back({static_cast<std::uint16_t>(first),
                                    static_cast<std::uint8_t>(cut.rows[row].first),
                                    static_cast<std::uint8_t>(cut.rows[row].second)});
     }
     device_.faces.push_back(record);
+  }
+
+  void add_roots(std::size_t f) {
+    const FaceElements& face = meshing_.faces[f];
+    const auto first_element = static_cast<int>(device_.elements.size());
+    const auto first_cut = static_cast<int>(device_.cuts.size());
+    const auto side = [&](int s) {
+      return static_cast<std::uint16_t>(s >= 0 ? kLeaf | (first_element + s) : first_cut - 1 - s);
+    };
+    for (std::size_t cell = 0; cell < face.cell_count(); ++cell) {
+      device_.roots.push_back(side(face.roots.empty() ? static_cast<int>(cell) : face.roots[cell]));
+    }
+    for (const CellCut& cut : face.cuts) {
+      device_.cuts.push_back({static_cast<std::int16_t>(cut.a), static_cast<std::int16_t>(cut.b),
+                              static_cast<std::int16_t>(cut.c), side(cut.left), side(cut.right)});
+    }
   }
 
   void add_elements(std::size_t f) {
@@ -116,7 +136,8 @@ class Builder {
 
   std::uint16_t patch_of(std::size_t f, int block_u, int block_v) {
     const auto [it, is_new] = patch_index_.try_emplace({f, block_v, block_u}, patch_members_.size());
-    if (is_new) {
+    if (is_new || patch_members_[it->second].size() == kMaxPatchElements) {
+      it->second = patch_members_.size();
       patch_members_.emplace_back();
     }
     patch_members_[it->second].push_back(static_cast<std::uint16_t>(device_.elements.size()));
@@ -262,6 +283,8 @@ Scene DeviceScene::view() const {
   scene.corners = corners.data();
   scene.faces = faces.data();
   scene.cell_rows = cell_rows.data();
+  scene.roots = roots.empty() ? nullptr : roots.data();
+  scene.cuts = cuts.data();
   scene.elements = elements.data();
   scene.patches = patches.data();
   scene.patch_elements = patch_elements.data();
@@ -271,6 +294,8 @@ Scene DeviceScene::view() const {
   scene.corner_count = static_cast<std::uint16_t>(corners.size());
   scene.face_count = static_cast<std::uint16_t>(faces.size());
   scene.cell_row_count = static_cast<std::uint16_t>(cell_rows.size());
+  scene.root_count = static_cast<std::uint16_t>(roots.size());
+  scene.cut_count = static_cast<std::uint16_t>(cuts.size());
   scene.element_count = static_cast<std::uint16_t>(elements.size());
   scene.patch_count = static_cast<std::uint16_t>(patches.size());
   scene.material_count = static_cast<std::uint16_t>(materials.size());
@@ -282,9 +307,9 @@ Scene DeviceScene::view() const {
 
 std::size_t DeviceScene::rom_bytes() const {
   return vertices.size() * sizeof(Vertex) + corners.size() * 2 + faces.size() * sizeof(fixrad::Face) +
-         cell_rows.size() * sizeof(CellRow) + elements.size() * sizeof(Element) +
-         patches.size() * sizeof(Patch) + patch_elements.size() * 2 + sights.size() * sizeof(Sight) +
-         materials.size() * sizeof(fixrad::Material);
+         cell_rows.size() * sizeof(CellRow) + roots.size() * 2 + cuts.size() * sizeof(Cut) +
+         elements.size() * sizeof(Element) + patches.size() * sizeof(Patch) + patch_elements.size() * 2 +
+         sights.size() * sizeof(Sight) + materials.size() * sizeof(fixrad::Material);
 }
 
 }  // namespace fixrad::host

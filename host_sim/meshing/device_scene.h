@@ -52,6 +52,8 @@ struct DeviceScene {
   std::vector<std::uint16_t> corners;
   std::vector<fixrad::Face> faces;
   std::vector<CellRow> cell_rows;
+  std::vector<std::uint16_t> roots;  ///< empty: no cell is cut
+  std::vector<Cut> cuts;
   std::vector<Element> elements;
   std::vector<Patch> patches;
   std::vector<std::uint16_t> patch_elements;

@@ -30,19 +30,30 @@ struct FaceFrame {
 FaceFrame make_frame(const QuantisedVertices& vertices, const ConvexFace& face);
 
 /// An element inside its face: the part of the outline in its range of cells (slivers at the border
-/// included).
+/// included), or a part of that.
 struct CellElement {
   int u, v;           ///< its cell
   Polygon2d outline;  ///< convex, in (s, t)
+  int depth = 0;      ///< cuts between it and its cell
+};
+
+/// A cut through a cell as the core has it (fixrad::Cut); a side is an element of the face, or -1 - the index
+/// of a further cut.
+struct CellCut {
+  int a, b, c;
+  int left, right;
 };
 
 /// The elements of one face on a grid of cells_u x cells_v.
 struct FaceElements {
   int cells_u = 1, cells_v = 1;
   std::vector<std::pair<int, int>> rows;  ///< [cells_v]: first and last cell of each row
-  std::vector<int>
-      row_first;  ///< [cells_v]: index of the row's first element; sliver rows repeat a neighbour's
-  std::vector<CellElement> elements;  ///< row by row
+  std::vector<int> row_first;  ///< [cells_v]: index of the row's first cell; sliver rows repeat a neighbour's
+  std::vector<CellElement> elements;  ///< row by row; the parts that cuts have made come after
+  std::vector<int> roots;             ///< [cells], a side as in CellCut; empty while no cell is cut
+  std::vector<CellCut> cuts;
+
+  std::size_t cell_count() const { return roots.empty() ? elements.size() : roots.size(); }
 };
 
 /// Cuts a face. Cells of less than a fifth of a whole one join their neighbour in the row; so do rows.

@@ -68,6 +68,12 @@ TwinScene make_twin_scene(const Scene& scene) {
   for (unsigned i = 0; i < scene.cell_row_count; ++i) {
     twin.cell_rows.push_back(flash_read(scene.cell_rows, i));
   }
+  for (unsigned i = 0; i < scene.root_count; ++i) {
+    twin.roots.push_back(flash_read(scene.roots, i));
+  }
+  for (unsigned i = 0; i < scene.cut_count; ++i) {
+    twin.cuts.push_back(flash_read(scene.cuts, i));
+  }
   for (unsigned i = 0; i < scene.element_count; ++i) {
     add_element(twin, scene, flash_read(scene.elements, i));
   }

@@ -27,6 +27,8 @@ struct TwinScene {
   std::vector<std::uint16_t> corners;
   std::vector<TwinFace> faces;
   std::vector<CellRow> cell_rows;
+  std::vector<std::uint16_t> roots;  ///< empty: no cell is cut
+  std::vector<Cut> cuts;
   std::vector<double> element_area;  ///< 1/8 square grid units
   std::vector<double> reflectance;   ///< [element][channel]
   std::vector<double> emitted;       ///< [element][channel], flux units, not rounded

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <vector>
 
 #include "host_sim/reference/twin_scanline.h"
 
@@ -15,13 +16,16 @@ class TwinElementWalk {
  public:
   /// Needs part.begin < part.end, and `view` to show its front.
   TwinElementWalk(const TwinScene& scene, const TwinFaceView& view, const TwinRow& row, TwinInterval part)
-      : rows_(scene.cell_rows.data() + scene.faces[view.face].first_cell_row),
+      : scene_(scene),
+        rows_(scene.cell_rows.data() + scene.faces[view.face].first_cell_row),
         row_(row),
         part_(part),
         weight_(view.grid_n),
         end_(part.begin) {
     const TwinFace& face = scene.faces[view.face];
     u_ = v_ = {{0, 0, 0}, 0, 0, part.end};
+    u_.grid = view.grid_u;
+    v_.grid = view.grid_v;
     if (face.cells_u * face.cells_v > 1) {
       start_axis(u_, view.grid_u, face.cells_u);
       start_axis(v_, view.grid_v, face.cells_v);
@@ -30,18 +34,29 @@ class TwinElementWalk {
 
   /// Moves to the next piece; false when the interval is used up.
   bool next() {
+    if (!waiting_.empty()) {
+      const Waiting further = waiting_.back();
+      waiting_.pop_back();
+      descend(further.side, {end_, further.end});
+      return true;
+    }
     if (end_ >= part_.end) {
       return false;
     }
-    element_ = element_at(u_.cell, v_.cell);
+    const double begin = end_;
+    const std::uint32_t cell = cell_number(u_.cell, v_.cell);
     Axis& nearer = u_.border <= v_.border ? u_ : v_;
     if (nearer.cell == nearer.last_cell) {
       end_ = part_.end;
-      return true;
+    } else {
+      end_ = std::max(nearer.border, end_);
+      nearer.cell += nearer.cell < nearer.last_cell ? 1 : -1;
+      find_border(nearer);
     }
-    end_ = std::max(nearer.border, end_);
-    nearer.cell += nearer.cell < nearer.last_cell ? 1 : -1;
-    find_border(nearer);
+    element_ = cell;
+    if (!scene_.roots.empty()) {
+      descend(scene_.roots[cell], {begin, end_});
+    }
     return true;
   }
 
@@ -89,19 +104,50 @@ class TwinElementWalk {
     axis.border = std::clamp(row_.crossing(axis.grid - k * weight_), part_.begin, part_.end);
   }
 
-  std::uint32_t element_at(int u, int v) const {
+  struct Waiting {
+    std::uint16_t side;
+    double end;
+  };
+
+  std::uint32_t cell_number(int u, int v) {
     const CellRow& row = rows_[v];
-    const int cell = std::clamp(u, static_cast<int>(row.first_cell), static_cast<int>(row.last_cell));
-    return static_cast<std::uint32_t>(row.first_element + cell - row.first_cell);
+    corner_u_ = std::clamp(u, static_cast<int>(row.first_cell), static_cast<int>(row.last_cell));
+    for (corner_v_ = v; corner_v_ > 0 && rows_[corner_v_ - 1].first_element == row.first_element;) {
+      --corner_v_;
+    }
+    return static_cast<std::uint32_t>(row.first_element + corner_u_ - row.first_cell);
   }
 
+  // To the element that holds the beginning of `part`; the far sides of the cuts on the way wait.
+  void descend(std::uint16_t side, TwinInterval part) {
+    while (side < kLeaf) {
+      const Cut& cut = scene_.cuts[side];
+      const glm::dvec3 line =
+          static_cast<double>(cut.a) * (u_.grid - static_cast<double>(corner_u_) * weight_) +
+          static_cast<double>(cut.b) * (v_.grid - static_cast<double>(corner_v_) * weight_) +
+          static_cast<double>(cut.c) * weight_;
+      const bool begins_left = glm::dot(line, row_.direction(part.begin)) >= 0;
+      const bool ends_left = glm::dot(line, row_.direction(part.end)) >= 0;
+      side = begins_left ? cut.left : cut.right;
+      if (begins_left != ends_left) {
+        waiting_.push_back({begins_left ? cut.right : cut.left, part.end});
+        part.end = std::clamp(row_.crossing(line), part.begin, part.end);
+      }
+    }
+    element_ = static_cast<std::uint32_t>(side - kLeaf);
+    end_ = part.end;
+  }
+
+  const TwinScene& scene_;
   const CellRow* rows_;
   const TwinRow& row_;
   TwinInterval part_;
   glm::dvec3 weight_;
   Axis u_, v_;
+  int corner_u_ = 0, corner_v_ = 0;  // of the current cell, grid coordinates
   std::uint32_t element_ = 0;
   double end_;
+  std::vector<Waiting> waiting_;
 };
 
 }  // namespace fixrad::host

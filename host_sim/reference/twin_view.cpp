@@ -74,7 +74,7 @@ void make_twin_view(const TwinScene& scene, const EyePoint& eye, Backs backs, Tw
     const double distance = is_back ? -height : height;
     const double scale = (is_back ? 1.0 : -1.0) / (distance > 0 ? distance : kSmallestDistance);
     seen.plane = frame.to_local(face.normal) * scale;
-    if (!is_back && face.cells_u * face.cells_v > 1) {
+    if (!is_back && (face.cells_u * face.cells_v > 1 || !scene.roots.empty())) {
       make_grid(face, frame, position, seen);
     }
   }

@@ -71,6 +71,9 @@ std::string record_of(const Face& f) {
 std::string record_of(const CellRow& r) {
   return braced({literal(r.first_element), literal(r.first_cell), literal(r.last_cell)});
 }
+std::string record_of(const Cut& c) {
+  return braced({literal(c.a), literal(c.b), literal(c.c), literal(c.left), literal(c.right)});
+}
 std::string record_of(const Element& e) {
   return braced(
       {unsigned_literal(e.area), record_of(e.eye), literal(e.patch), literal(e.face), literal(e.material)});
@@ -171,6 +174,10 @@ void append_scene_tables(std::string& text, const SceneTable& table) {
   append_table(text, "uint16_t kCorners[]", s.corners, s.corner_count);
   append_table(text, "fixrad::Face kFaces[]", s.faces, s.face_count);
   append_table(text, "fixrad::CellRow kCellRows[]", s.cell_rows, s.cell_row_count);
+  if (s.roots != nullptr) {
+    append_table(text, "uint16_t kRoots[]", s.roots, s.root_count);
+    append_table(text, "fixrad::Cut kCuts[]", s.cuts, s.cut_count);
+  }
   append_table(text, "fixrad::Element kElements[]", s.elements, s.element_count);
   append_table(text, "fixrad::Patch kPatches[]", s.patches, s.patch_count);
   append_table(text, "uint16_t kPatchElements[]", s.patch_elements, s.element_count);
@@ -217,6 +224,8 @@ void append_scene_function(std::string& text, const Scene& s) {
                    {"corners", "kCorners"},
                    {"faces", "kFaces"},
                    {"cell_rows", "kCellRows"},
+                   {"roots", s.roots != nullptr ? "kRoots" : "nullptr"},
+                   {"cuts", s.roots != nullptr ? "kCuts" : "nullptr"},
                    {"elements", "kElements"},
                    {"patches", "kPatches"},
                    {"patch_elements", "kPatchElements"},
@@ -226,6 +235,8 @@ void append_scene_function(std::string& text, const Scene& s) {
                    {"corner_count", literal(s.corner_count)},
                    {"face_count", literal(s.face_count)},
                    {"cell_row_count", literal(s.cell_row_count)},
+                   {"root_count", literal(s.root_count)},
+                   {"cut_count", literal(s.cut_count)},
                    {"element_count", literal(s.element_count)},
                    {"patch_count", literal(s.patch_count)},
                    {"material_count", literal(s.material_count)},

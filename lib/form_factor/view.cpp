@@ -129,7 +129,7 @@ void make_grids(const Scene& scene, const EyePoint& eye, Workspace& work) {
   const EyeFrame frame = eye_frame(flash_at(scene.faces, eye.face), eye.turn);
   for (uint16_t i = 0; i < work.view_count; ++i) {
     FaceView& view = work.views[i];
-    if (!view.is_back && view.cells_u * view.cells_v > 1) {
+    if (!view.is_back && has_grid(scene, view)) {
       make_grid(flash_at(scene.faces, view.face), frame, eye.position, view);
     }
   }

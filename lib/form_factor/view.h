@@ -81,6 +81,11 @@ struct Workspace {
 /// a face.
 void make_view(const Scene& scene, const EyePoint& eye, Backs backs, Workspace& work);
 
+/// Whether what is seen of a face is to be cut into elements.
+inline bool has_grid(const Scene& scene, const FaceView& view) {
+  return view.cells_u * view.cells_v > 1 || scene.roots != nullptr;
+}
+
 /// Adds the element grids of the faces in view. Cost: 50 products a face.
 void make_grids(const Scene& scene, const EyePoint& eye, Workspace& work);
 

@@ -100,6 +100,66 @@ Status check_shape(const Scene& scene, const Face& face) {
   return area > 0 ? Status::ok : Status::zero_area;
 }
 
+Status check_leaf(const Scene& scene, uint32_t element, uint16_t face) {
+  if (element >= scene.element_count) {
+    return Status::bad_index;
+  }
+  return flash_read(scene.elements, static_cast<unsigned>(element)).face == face ? Status::ok
+                                                                                 : Status::bad_grid;
+}
+
+Status check_side(const Scene& scene, uint16_t side, uint16_t face) {
+  if (side >= kLeaf) {
+    return check_leaf(scene, side - static_cast<uint32_t>(kLeaf), face);
+  }
+  return side < scene.cut_count ? Status::ok : Status::bad_index;
+}
+
+bool has_wide_numbers(const Cut& cut) {
+  constexpr int16_t kMostSlope = 1 << kCutBits, kMostOffset = (1 << (kCutBits + 2)) - 1;
+  return cut.a < -kMostSlope || cut.a > kMostSlope || cut.b < -kMostSlope || cut.b > kMostSlope ||
+         cut.c < -kMostOffset || cut.c > kMostOffset;
+}
+
+// Goes down a tree of cuts, each side in turn, without a stack: the way to a leaf is a number whose bits say
+// left or right, and the next way is that number plus one. A tree too deep may also be one without end.
+Status check_tree(const Scene& scene, uint16_t root, uint16_t face) {
+  constexpr uint16_t kAll = 1u << kMostCuts;
+  for (uint16_t way = 0; way < kAll;) {
+    uint16_t side = root;
+    uint16_t bit = kAll;
+    for (;;) {
+      const Status status = check_side(scene, side, face);
+      if (status != Status::ok || side >= kLeaf) {
+        if (status != Status::ok) {
+          return status;
+        }
+        break;
+      }
+      if (bit == 1) {
+        return Status::bad_grid;
+      }
+      bit = static_cast<uint16_t>(bit >> 1);
+      const Cut cut = flash_read(scene.cuts, side);
+      if (has_wide_numbers(cut)) {
+        return Status::bad_grid;
+      }
+      side = (way & bit) != 0 ? cut.right : cut.left;
+    }
+    way = static_cast<uint16_t>(way + bit);  // carries over to the next side that has not been seen
+  }
+  return Status::ok;
+}
+
+Status check_cell(const Scene& scene, uint32_t cell, uint16_t face) {
+  if (scene.roots == nullptr) {
+    return check_leaf(scene, cell, face);
+  }
+  return cell < scene.root_count
+             ? check_tree(scene, flash_read(scene.roots, static_cast<unsigned>(cell)), face)
+             : Status::bad_index;
+}
+
 Status check_grid(const Scene& scene, const Face& face, uint16_t index) {
   if (face.cells_u < 1 || face.cells_v < 1 || face.cells_u > 127 || face.cells_v > 127 ||
       turn_about(vec(face.axis_u), vec(face.axis_v), vec(face.normal)) <= 0) {
@@ -114,12 +174,10 @@ Status check_grid(const Scene& scene, const Face& face, uint16_t index) {
       return Status::bad_grid;
     }
     const uint32_t last = static_cast<uint32_t>(row.first_element) + row.last_cell - row.first_cell;
-    if (last >= scene.element_count) {
-      return Status::bad_index;
-    }
-    for (uint32_t e = row.first_element; e <= last; ++e) {
-      if (flash_read(scene.elements, static_cast<unsigned>(e)).face != index) {
-        return Status::bad_grid;
+    for (uint32_t cell = row.first_element; cell <= last; ++cell) {
+      const Status status = check_cell(scene, cell, index);
+      if (status != Status::ok) {
+        return status;
       }
     }
   }
@@ -198,7 +256,7 @@ Status check_counts(const Scene& scene, const Capacity& capacity) {
   if (scene.face_count > capacity.faces) {
     return Status::too_many_faces;
   }
-  if (scene.element_count > capacity.elements) {
+  if (scene.element_count > capacity.elements || (scene.roots != nullptr && scene.element_count > kLeaf)) {
     return Status::too_many_elements;
   }
   return scene.emission_shift <= 63 && scene.radiosity_shift <= 32 ? Status::ok : Status::bad_unit;

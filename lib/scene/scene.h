@@ -53,11 +53,27 @@ struct Face {
 };
 
 /// One row of a face's element grid. Cells left of first_cell or right of last_cell belong to the first or
-/// last element of the row (slivers at the border of the face are part of their neighbour).
+/// last one of the row (slivers at the border of the face are part of their neighbour). A cell is an element,
+/// or, where the scene has roots, what its root says.
 struct CellRow {
-  uint16_t first_element;
+  uint16_t first_element;  ///< of the row's cells; into Scene::roots where there are any
   uint8_t first_cell, last_cell;
 };
+
+/// A straight cut through a cell or a part of one, in the cell's own coordinates: those of the grid, less the
+/// cell's number in its row and the number of the first row that shows it (0 .. 1 but for slivers that it has
+/// taken in). Parts with a u + b v + c >= 0 are `left`. A side is kLeaf | element, or the index of a further
+/// cut. |a|, |b| <= 2^9, |c| < 2^11: Q9.
+struct Cut {
+  int16_t a, b, c;
+  uint16_t left, right;
+};
+
+constexpr uint16_t kLeaf = 0x8000;
+constexpr int kCutBits = 9;
+
+/// Cuts on the way from a cell to any of its elements.
+constexpr int kMostCuts = 12;
 
 /// Elements are ordered by face.
 struct Element {
@@ -93,12 +109,15 @@ struct Scene {
   const FIXRAD_FLASH uint16_t* corners;
   const FIXRAD_FLASH Face* faces;
   const FIXRAD_FLASH CellRow* cell_rows;
+  const FIXRAD_FLASH uint16_t* roots;  ///< [root_count], a side as in Cut; null: no cell is cut
+  const FIXRAD_FLASH Cut* cuts;        ///< [cut_count]
   const FIXRAD_FLASH Element* elements;
   const FIXRAD_FLASH Patch* patches;
   const FIXRAD_FLASH uint16_t* patch_elements;  ///< element_count entries, grouped by patch
   const FIXRAD_FLASH Material* materials;
   const FIXRAD_FLASH Sight* sights;  ///< [element_count], or null: nothing is known
-  uint16_t vertex_count, corner_count, face_count, cell_row_count, element_count, patch_count, material_count;
+  uint16_t vertex_count, corner_count, face_count, cell_row_count, root_count, cut_count, element_count,
+      patch_count, material_count;
   uint8_t channels;         ///< 1 or 3
   uint8_t emission_shift;   ///< emitted flux of an element = emission * area >> emission_shift
   uint8_t radiosity_shift;  ///< radiosity of an element = (flux << radiosity_shift) / area
