@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 namespace fixrad::host {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kInPlane = 1e-3;  // grid units
+constexpr double kEdgeOn = 1e-6;   // cosine
 
 using Corners = std::vector<glm::dvec3>;
 
@@ -44,6 +46,17 @@ double contour(const glm::dvec3& point, const glm::dvec3& normal, const Corners&
     sum += sine > 0 ? std::atan2(sine, glm::dot(a, b)) * glm::dot(wedge, normal) / sine : 0.0;
   }
   return std::clamp(sum / (2 * kPi), 0.0, 1.0);
+}
+
+/// Whether a line through `point` along `way` meets the polygon: which way it turns round each edge.
+bool meets(const Corners& polygon, double turn, const glm::dvec3& point, const glm::dvec3& way) {
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const glm::dvec3 a = polygon[k] - point, b = polygon[(k + 1) % polygon.size()] - point;
+    if (turn * glm::dot(way, glm::cross(a, b)) < 0) {
+      return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace
@@ -101,6 +114,22 @@ void DirectLight::hide(std::uint32_t blocker, const glm::dvec3& point, std::vect
     }
   }
   seen.swap(rest);
+}
+
+bool DirectLight::is_buried(std::uint32_t face, const glm::dvec3& point) const {
+  const glm::dvec3 up = normals_[face];
+  double nearest = std::numeric_limits<double>::infinity();
+  bool is_back = false;
+  for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+    const double rise = glm::dot(normals_[f], up);
+    const double height = glm::dot(normals_[f], faces_[f][0] - point);
+    if (f != face && std::abs(rise) > kEdgeOn && height * rise > 0 && height / rise < nearest &&
+        meets(faces_[f], rise > 0 ? 1.0 : -1.0, point, up)) {
+      nearest = height / rise;
+      is_back = rise > 0;
+    }
+  }
+  return is_back;
 }
 
 double DirectLight::sum(std::uint32_t face, const glm::dvec3& point, bool is_hidden) const {

@@ -24,6 +24,9 @@ class DirectLight {
   double irradiance(std::uint32_t face, const glm::dvec3& point) const { return sum(face, point, true); }
   /// The same if nothing stood between.
   double unhidden(std::uint32_t face, const glm::dvec3& point) const { return sum(face, point, false); }
+  /// Whether the point is under something that stands on the face: the first that is met along the normal
+  /// turns its back. Nobody sees it.
+  bool is_buried(std::uint32_t face, const glm::dvec3& point) const;
 
  private:
   using Corners = std::vector<glm::dvec3>;
