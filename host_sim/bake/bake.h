@@ -20,6 +20,7 @@ struct BakeOptions {
   std::string profile = "large";
   std::string engine = "lunes";     ///< lunes | rows | pixels | rays | contour
   std::string solver = "shooting";  ///< shooting | gathering
+  std::string mesh = "uniform";     ///< uniform | contacts | adaptive
   std::optional<int> resolution;    ///< R, or rays a pair
   std::optional<std::uint32_t> elements;
   double unshot = 0.001;               ///< stop fraction

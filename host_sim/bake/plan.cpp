@@ -4,6 +4,8 @@
 
 #include "host_sim/bake/bake.h"
 #include "host_sim/bake/occlusion.h"
+#include "host_sim/meshing/discontinuity.h"
+#include "host_sim/simulate/adaptive_mesh.h"
 
 namespace fixrad::host {
 namespace {
@@ -39,6 +41,18 @@ Engine engine_named(const std::string& name) {
   return name == "pixels" ? hemicube_pixels : (name == "rows" ? hemicube_rows : lune_rows);
 }
 
+Meshing make_mesh(const PreparedScene& scene, const std::string& kind, std::uint32_t elements) {
+  const std::uint32_t patches = elements / kElementsOfPatch;
+  if (kind == "adaptive") {
+    return make_adaptive(scene, elements, patches);
+  }
+  if (kind == "discontinuity") {
+    return make_discontinuity(scene, elements, patches);
+  }
+  return kind == "contacts" ? make_contact_mesh(scene, elements, patches)
+                            : make_uniform(scene, elements, patches);
+}
+
 BakePlan plan_for(const PreparedScene& scene, const BakeOptions& options, const Profile& profile,
                   std::uint32_t elements) {
   const auto faces = static_cast<std::uint32_t>(scene.faces.size());
@@ -46,7 +60,7 @@ BakePlan plan_for(const PreparedScene& scene, const BakeOptions& options, const 
   BakePlan plan;
   plan.profile = profile;
   plan.resolution = options.resolution.value_or(default_resolution(options.engine, profile));
-  plan.meshing = make_uniform(scene, elements, elements / kElementsOfPatch);
+  plan.meshing = make_mesh(scene, options.mesh, elements);
   const auto channels = static_cast<std::uint32_t>(scene.channels);
   const std::uint32_t n = plan.meshing.element_count;
   plan.sizes = {static_cast<std::uint32_t>(scene.vertices.positions.size()),

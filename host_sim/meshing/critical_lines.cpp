@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "host_sim/meshing/contact_lines.h"
 #include "host_sim/meshing/critical_edges.h"
 #include "host_sim/meshing/critical_merge.h"
 #include "host_sim/meshing/critical_wedge.h"
@@ -66,14 +67,19 @@ class LineFinder {
     }
   }
 
-  void find_contacts(const std::vector<Lamp>& lamps) {
-    for (const SceneEdge& edge : edges_.edges) {
-      for (std::uint32_t f = 0; f < scene_.faces.size(); ++f) {
-        if (std::abs(height(f, at(edge.p))) <= kTouchingPlane &&
-            std::abs(height(f, at(edge.q))) <= kTouchingPlane && !is_within(edge, f)) {
-          add_contact(lamps, edge, f);
-        }
+  void add_contacts(const std::vector<Lamp>& lamps) {
+    for (const ContactLine& contact : contact_lines(scene_)) {
+      CriticalLine line;
+      line.face = static_cast<std::uint32_t>(contact.face);
+      line.a = contact.a;
+      line.b = contact.b;
+      line.kind = CriticalKind::contact;
+      line.order = 0;
+      const glm::dvec3 middle = scene_.frames[contact.face].to_grid((line.a + line.b) / 2.0);
+      for (const Lamp& lamp : lamps) {
+        line.irradiance += irradiance(lamp, line.face, middle);
       }
+      lines_.push_back(line);
     }
   }
 
@@ -86,14 +92,6 @@ class LineFinder {
   }
   static bool belongs_to(const SceneEdge& edge, std::uint32_t face) {
     return std::find(edge.faces.begin(), edge.faces.end(), face) != edge.faces.end();
-  }
-  bool is_coplanar(std::uint32_t f, std::uint32_t g) const {
-    return std::abs(glm::dot(scene_.frames[f].normal, scene_.frames[g].normal)) >= kSamePlane;
-  }
-  /// Whether the edge is no more than a line within the plane of `face`.
-  bool is_within(const SceneEdge& edge, std::uint32_t face) const {
-    return belongs_to(edge, face) || std::all_of(edge.faces.begin(), edge.faces.end(),
-                                                 [&](std::uint32_t f) { return is_coplanar(f, face); });
   }
   /// Whether the lamp goes on beyond its edge.
   bool is_joint(const SceneEdge& edge, std::uint32_t lamp) const {
@@ -109,7 +107,6 @@ class LineFinder {
   void pass_vertex(const Lamp& lamp, std::uint32_t vertex, const SceneEdge& edge);
   void pass_part(const Lamp& lamp, const Wedge& wedge);
   void add_lines(const Event& event);
-  void add_contact(const std::vector<Lamp>& lamps, const SceneEdge& edge, std::uint32_t face);
 
   const PreparedScene& scene_;
   SceneEdges edges_;
@@ -234,29 +231,6 @@ void LineFinder::add_lines(const Event& event) {
   }
 }
 
-void LineFinder::add_contact(const std::vector<Lamp>& lamps, const SceneEdge& edge, std::uint32_t face) {
-  const FaceFrame& frame = scene_.frames[face];
-  const glm::dvec2 p = frame.to_frame(at(edge.p)), q = frame.to_frame(at(edge.q));
-  SegmentPart part;
-  for (std::size_t k = 0; k < frame.outline.size(); ++k) {
-    const glm::dvec2 a = frame.outline[k], side = frame.outline[(k + 1) % frame.outline.size()] - a;
-    const auto inside = [&](glm::dvec2 x) { return side.x * (x.y - a.y) - side.y * (x.x - a.x); };
-    part.keep_where(inside(p), inside(q));
-  }
-  CriticalLine line;
-  line.face = face;
-  line.a = p + part.begin * (q - p);
-  line.b = p + part.end * (q - p);
-  line.kind = CriticalKind::contact;
-  line.order = 0;
-  for (const Lamp& lamp : lamps) {
-    line.irradiance += irradiance(lamp, face, frame.to_grid((line.a + line.b) / 2.0));
-  }
-  if (part.length() > 0) {
-    lines_.push_back(line);
-  }
-}
-
 }  // namespace
 
 double misplaced_light(const CriticalLine& line, double h) {
@@ -272,7 +246,7 @@ std::vector<CriticalLine> find_critical_lines(const PreparedScene& scene,
   for (const Lamp& lamp : lamps) {
     finder.find_lines_of(lamp);
   }
-  finder.find_contacts(lamps);
+  finder.add_contacts(lamps);
   return merge_lines(scene, finder.take(), options.separation);
 }
 

@@ -25,9 +25,8 @@ void store(std::int16_t (&out)[3], glm::dvec3 v) {
   }
 }
 
-// The point in quarters of a grid unit, moved along the normal until the core sees it on the lit side of the
-// face's first corner.
-void store_eye(std::uint16_t (&out)[3], glm::dvec3 point, const FaceFrame& frame, glm::dvec3 corner) {
+// On the lit side of the face's first corner.
+glm::dvec3 lifted(glm::dvec3 point, const FaceFrame& frame, glm::dvec3 corner) {
   // The core's normal, rounded: at the far end of a large face it stands a grid unit off the exact one.
   const glm::dvec3 seen = glm::round(frame.normal * static_cast<double>(kUnit)) / static_cast<double>(kUnit);
   glm::dvec3 q(0.0);
@@ -37,9 +36,7 @@ void store_eye(std::uint16_t (&out)[3], glm::dvec3 point, const FaceFrame& frame
       break;
     }
   }
-  for (int k = 0; k < 3; ++k) {
-    out[k] = static_cast<std::uint16_t>(std::clamp(q[k], 0.0, 65535.0));
-  }
+  return glm::clamp(q, 0.0, 65535.0);
 }
 
 class Builder {
@@ -128,7 +125,10 @@ class Builder {
       record.face = static_cast<std::uint16_t>(f);
       record.material = static_cast<std::uint16_t>(scene_.faces[f].material);
       record.patch = patch_of(f, cell.u / meshing_.block_u, cell.v / meshing_.block_v);
-      store_eye(record.eye, centre, frame, corner);
+      const glm::dvec3 eye = lifted(centre, frame, corner);
+      for (int k = 0; k < 3; ++k) {
+        record.eye[k] = static_cast<std::uint16_t>(eye[k]);
+      }
       device_.elements.push_back(record);
       add_mesh_element(f, cell, centre, grid_area);
     }
@@ -275,6 +275,13 @@ PreparedScene prepare(const Model& model) {
 
 DeviceScene make_device_scene(const PreparedScene& scene, const Meshing& meshing) {
   return Builder(scene, meshing).build();
+}
+
+Vec3 lifted_eye(const PreparedScene& scene, std::size_t face, glm::dvec3 point) {
+  const glm::dvec3 corner(scene.vertices.positions[scene.faces[face].corners[0]]);
+  const glm::dvec3 eye = lifted(point, scene.frames[face], corner);
+  return {static_cast<std::int32_t>(eye.x), static_cast<std::int32_t>(eye.y),
+          static_cast<std::int32_t>(eye.z)};
 }
 
 Scene DeviceScene::view() const {

@@ -73,6 +73,10 @@ struct DeviceScene {
 
 DeviceScene make_device_scene(const PreparedScene& scene, const Meshing& meshing);
 
+/// A point of a face (grid units) as an eye: quarters of a grid unit, lifted along the normal until the core
+/// sees it on the lit side.
+Vec3 lifted_eye(const PreparedScene& scene, std::size_t face, glm::dvec3 point);
+
 /// Area-weighted mean radiosity of each input face, in file order. A face that has no element (it collapsed
 /// on the grid) gets its own emission.
 std::vector<glm::dvec3> face_means(const Model& model, const std::vector<Overlap>& overlaps,

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "host_sim/reference/contact_cuts.h"
+#include "host_sim/meshing/contact_lines.h"
 #include "host_sim/reference/error_budget.h"
 #include "host_sim/reference/form_factors.h"
 #include "host_sim/reference/radiosity.h"
@@ -15,11 +15,13 @@ namespace {
 constexpr std::uint32_t kElementsPerFace = 6;
 
 std::vector<glm::dvec3> solve(const PreparedScene& scene, std::uint32_t wanted, std::uint32_t& elements) {
-  const OverlappedMesh cut =
-      cut_at_contacts(scene, make_device_scene(scene, make_uniform(scene, wanted, wanted)));
-  elements = static_cast<std::uint32_t>(cut.mesh.elements.size());
-  return face_means(*scene.model, cut.overlaps,
-                    solve_radiosity(cut.mesh, form_factors(cut.mesh, effort_for(cut.mesh.elements.size()))));
+  Meshing meshing = make_uniform(scene, wanted, wanted);
+  cut_at_contacts(scene, meshing);
+  const DeviceScene device = make_device_scene(scene, meshing);
+  const ElementMesh& mesh = device.mesh;
+  elements = static_cast<std::uint32_t>(mesh.elements.size());
+  return face_means(*scene.model, device.overlaps,
+                    solve_radiosity(mesh, form_factors(mesh, effort_for(mesh.elements.size()))));
 }
 
 }  // namespace
