@@ -17,7 +17,7 @@ sys.dont_write_bytecode = True  # leaves nothing behind in scripts/
 
 from furnished_room import furnished_room
 from scene_check import check
-from scene_model import Face, Part, Scene, box, inset, room, triangle_count
+from scene_model import Face, Part, Scene, box, inset, placed, room, triangle_count
 from scene_writer import files_of
 
 SCENES = pathlib.Path(__file__).resolve().parent.parent / "scenes"
@@ -56,6 +56,21 @@ def small_lamp():
     inset(shell, side_of(shell, 1, 0), [(1800, 0, 1000), (2700, 0, 1000), (2700, 0, 2000), (1800, 0, 2000)],
           "block", shift=(0, 900, 0))
     scene.add(shell)
+    return scene
+
+
+def shadow_room():
+    """A lamp of 6 cm casts shadows with hard borders: turned boxes on the floor, a table top and a shelf."""
+    scene = Scene("shadow_room", "A lamp of 6 cm, turned boxes, a table top and a shelf: shadows with hard borders",
+                  {"wall": grey(0.5), "box": grey(0.5), "lamp": grey(0.1, 20000)}, free_point=(300, 1500, 300))
+    shell = room("room", (0, 0, 0), (5000, 2500, 4000), {"": "wall"})
+    inset(shell, side_of(shell, 1, 2500), [(2400, 2500, 1900), (2460, 2500, 1900), (2460, 2500, 1960), (2400, 2500, 1960)],
+          "lamp")
+    block = box("block", "box", (-300, 0, -300), (300, 900, 300), without="y-")
+    pillar = box("pillar", "box", (-150, 0, -200), (150, 1600, 200), without="y-")
+    top = box("table", "box", (-500, 700, -300), (500, 740, 300))
+    scene.add(shell, placed(block, (1300, 1200), (3, 4, 5)), placed(pillar, (3700, 1300), (4, 3, 5)),
+              placed(top, (1700, 3000), (4, -3, 5)), box("shelf", "box", (3000, 1300, 3600), (4400, 1330, 4000), without="z+"))
     return scene
 
 
@@ -181,7 +196,7 @@ def main(arguments):
         return 2
     styles = {"furnished_room": "rich", "gap": "negative", "indirect_only": "crlf"}
     files = cornell_grey()
-    for make in (closed_box, unit_cube_one_emitter, small_lamp, high_rho, white_room, portico, colonnade,
+    for make in (closed_box, unit_cube_one_emitter, small_lamp, shadow_room, high_rho, white_room, portico, colonnade,
                  indirect_only, gap, parallel_plates, furnished_room):
         scene = make()
         check(scene)

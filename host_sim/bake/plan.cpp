@@ -4,6 +4,7 @@
 
 #include "host_sim/bake/bake.h"
 #include "host_sim/bake/occlusion.h"
+#include "host_sim/meshing/discontinuity.h"
 #include "host_sim/simulate/adaptive_mesh.h"
 
 namespace fixrad::host {
@@ -44,6 +45,9 @@ Meshing make_mesh(const PreparedScene& scene, const std::string& kind, std::uint
   const std::uint32_t patches = elements / kElementsOfPatch;
   if (kind == "adaptive") {
     return make_adaptive(scene, elements, patches);
+  }
+  if (kind == "discontinuity") {
+    return make_discontinuity(scene, elements, patches);
   }
   return kind == "contacts" ? make_contact_mesh(scene, elements, patches)
                             : make_uniform(scene, elements, patches);

@@ -63,9 +63,11 @@ void add_solver_options(CLI::App& command, CommonOptions& options) {
       ->capture_default_str();
   const auto choose_engine = [&options](const std::string&) { options.engine_chosen = true; };
   command
-      .add_option("--mesh", bake.mesh,
-                  "Elements: of equal size, cut where faces touch, or small where the light changes")
-      ->check(CLI::IsMember({"uniform", "contacts", "adaptive"}))
+      .add_option(
+          "--mesh", bake.mesh,
+          "Elements: of equal size, cut where faces touch, small where the light changes, or cut along the "
+          "borders of shadows")
+      ->check(CLI::IsMember({"uniform", "contacts", "adaptive", "discontinuity"}))
       ->capture_default_str();
   command.add_option("--engine", bake.engine, "Form factors by")
       ->check(CLI::IsMember({"pixels", "rows", "lunes", "rays", "contour"}))
