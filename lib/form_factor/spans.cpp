@@ -116,6 +116,14 @@ bool VisibleSpans::paint(uint16_t& i, Interval part, uint16_t index) {
   return true;
 }
 
+RowDepth VisibleSpans::depth_of(uint16_t index, const RowPlane& plane) {
+  FaceView& view = work_.views[index];
+  if (view.depth_shift == 0) {
+    make_turned_depth(scene_, eye_, side_, view);
+  }
+  return row_depth(view, plane);
+}
+
 bool VisibleSpans::insert(uint16_t index, Interval part, const RowPlane& plane) {
   const Span* spans = work_.spans;
   uint16_t i = 0;
@@ -126,8 +134,7 @@ bool VisibleSpans::insert(uint16_t index, Interval part, const RowPlane& plane) 
     Interval won = {spans[i].start > part.begin ? spans[i].start : part.begin,
                     spans[i + 1].start < part.end ? spans[i + 1].start : part.end};
     if (spans[i].view != kNothing) {
-      won = nearer_part(row_depth(work_.views[index], plane), row_depth(work_.views[spans[i].view], plane),
-                        won);
+      won = nearer_part(depth_of(index, plane), depth_of(spans[i].view, plane), won);
     }
     if (won.begin < won.end && !paint(i, won, index)) {
       return false;
