@@ -168,10 +168,13 @@ void turn_view(int side, uint16_t vertex_count, Workspace& work) {
   }
 }
 
-void make_turned_depth(const Scene& scene, const EyePoint& eye, int side, FaceView& view) {
-  make_depth(scene, eye, view);
-  for (int turn = kTop + 1; turn <= side; ++turn) {
-    turn_to(turn, view.depth[0], view.depth[1], view.depth[2]);
+void make_turned_depths(const Scene& scene, const EyePoint& eye, int side, Workspace& work) {
+  make_depths(scene, eye, work);
+  for (uint16_t i = 0; i < work.view_count; ++i) {
+    FaceView& view = work.views[i];
+    for (int turn = kTop + 1; turn <= side; ++turn) {
+      turn_to(turn, view.depth[0], view.depth[1], view.depth[2]);
+    }
   }
 }
 

@@ -116,12 +116,13 @@ bool VisibleSpans::paint(uint16_t& i, Interval part, uint16_t index) {
   return true;
 }
 
-RowDepth VisibleSpans::depth_of(uint16_t index, const RowPlane& plane) {
-  FaceView& view = work_.views[index];
-  if (view.depth_shift == 0) {
-    make_turned_depth(scene_, eye_, side_, view);
+// The piece of `part` on which view `a` is nearer than `b`. The first two faces of a view that meet have the
+// depths of all its faces made.
+Interval VisibleSpans::won_part(uint16_t a, uint16_t b, Interval part, const RowPlane& plane) {
+  if (work_.views[a].depth_shift == 0) {
+    make_turned_depths(scene_, eye_, side_, work_);
   }
-  return row_depth(view, plane);
+  return nearer_part(row_depth(work_.views[a], plane), row_depth(work_.views[b], plane), part);
 }
 
 bool VisibleSpans::insert(uint16_t index, Interval part, const RowPlane& plane) {
@@ -130,11 +131,14 @@ bool VisibleSpans::insert(uint16_t index, Interval part, const RowPlane& plane) 
   while (spans[i + 1].start <= part.begin) {
     ++i;
   }
+  if (spans[i].view == kNothing && part.end <= spans[i + 1].start) {
+    return paint(i, part, index);
+  }
   for (; spans[i].start < part.end; ++i) {
     Interval won = {spans[i].start > part.begin ? spans[i].start : part.begin,
                     spans[i + 1].start < part.end ? spans[i + 1].start : part.end};
     if (spans[i].view != kNothing) {
-      won = nearer_part(depth_of(index, plane), depth_of(spans[i].view, plane), won);
+      won = won_part(index, spans[i].view, won, plane);
     }
     if (won.begin < won.end && !paint(i, won, index)) {
       return false;

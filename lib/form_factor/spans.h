@@ -39,9 +39,9 @@ class VisibleSpans {
 
   /// Shows view `index` on `part` (not empty) where it is nearer than what is there; of equals the earlier
   /// one stays. Faces that pierce each other are split where they cross. False if the pool is full: the row
-  /// is then unusable. Cost: linear in the number of spans; twelve products for each face that is met, a
-  /// division where they pierce each other, and make_depth() for a face that meets its first. Where nothing
-  /// hides anything, no face is met.
+  /// is then unusable. Cost: linear in the number of spans; twelve products for each face that is met, and a
+  /// division where they pierce each other. The first meeting in a view makes its depths; where nothing hides
+  /// anything there is none.
   bool insert(uint16_t index, Interval part, const RowPlane& plane);
 
   uint16_t count() const { return count_; }
@@ -52,7 +52,7 @@ class VisibleSpans {
   bool open(uint16_t i, uint16_t spans);
   void close(uint16_t i);
   bool paint(uint16_t& i, Interval part, uint16_t index);
-  RowDepth depth_of(uint16_t index, const RowPlane& plane);
+  Interval won_part(uint16_t a, uint16_t b, Interval part, const RowPlane& plane);
 
   const Scene& scene_;
   const EyePoint& eye_;

@@ -128,10 +128,13 @@ void make_view(const Scene& scene, const EyePoint& eye, Backs backs, Workspace& 
   }
 }
 
-void make_depth(const Scene& scene, const EyePoint& eye, FaceView& view) {
-  const Face& face = flash_at(scene.faces, view.face);
-  make_plane(eye_frame(flash_at(scene.faces, eye.face), eye.turn), vec(face.normal),
-             height_over(scene, face, eye.position), view);
+void make_depths(const Scene& scene, const EyePoint& eye, Workspace& work) {
+  const EyeFrame frame = eye_frame(flash_at(scene.faces, eye.face), eye.turn);
+  for (uint16_t i = 0; i < work.view_count; ++i) {
+    FaceView& view = work.views[i];
+    const Face& face = flash_at(scene.faces, view.face);
+    make_plane(frame, vec(face.normal), height_over(scene, face, eye.position), view);
+  }
 }
 
 void make_grids(const Scene& scene, const EyePoint& eye, Workspace& work) {

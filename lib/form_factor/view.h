@@ -80,9 +80,9 @@ struct Workspace {
 /// take part, without their depth. Cost: 9 products a vertex, 3 a face.
 void make_view(const Scene& scene, const EyePoint& eye, Backs backs, Workspace& work);
 
-/// Adds the depth of one face of the view from `eye`, in the axes that make_view() leaves. Only faces that
-/// meet another on a row need it: where nothing hides anything, none does. Cost: 15 products and a division.
-void make_depth(const Scene& scene, const EyePoint& eye, FaceView& view);
+/// Adds the depth of the faces in view, in the axes that make_view() leaves. Only a view in which faces meet
+/// on a row needs it: where nothing hides anything, none does. Cost: 15 products and a division a face.
+void make_depths(const Scene& scene, const EyePoint& eye, Workspace& work);
 
 /// Adds the element grids of the faces in view. Cost: 50 products a face.
 void make_grids(const Scene& scene, const EyePoint& eye, Workspace& work);
