@@ -92,7 +92,7 @@ void make_plane(const EyeFrame& frame, Vec3 normal, int32_t height, FaceView& vi
 }
 
 // How far the eye stands in front of the face's plane, Q14 quarters of a grid unit.
-int32_t height_over(const Scene& scene, const Face& face, Vec3 eye) {
+int32_t eye_height(const Scene& scene, const Face& face, Vec3 eye) {
   const Vec3 corner = vec(flash_read(scene.vertices, corner_vertex(scene, face, 0)));
   return -dot(vec(face.normal), relative_to_eye(corner, eye));
 }
@@ -115,7 +115,7 @@ void make_view(const Scene& scene, const EyePoint& eye, Backs backs, Workspace& 
   work.view_count = 0;
   for (uint16_t f = 0; f < scene.face_count; ++f) {
     const Face& face = flash_at(scene.faces, f);
-    const bool is_back = height_over(scene, face, eye.position) < -kEdgeOn;
+    const bool is_back = eye_height(scene, face, eye.position) < -kEdgeOn;
     const bool is_left_out =
         is_back && (backs == Backs::none || (backs == Backs::unsealed && face.is_sealed != 0));
     if (f == eye.face || is_left_out || is_below_horizon(scene, face, work.directions)) {
@@ -133,7 +133,7 @@ void make_depths(const Scene& scene, const EyePoint& eye, Workspace& work) {
   for (uint16_t i = 0; i < work.view_count; ++i) {
     FaceView& view = work.views[i];
     const Face& face = flash_at(scene.faces, view.face);
-    make_plane(frame, vec(face.normal), height_over(scene, face, eye.position), view);
+    make_plane(frame, vec(face.normal), eye_height(scene, face, eye.position), view);
   }
 }
 
