@@ -38,7 +38,7 @@ int64_t signed_volume(const Scene& scene) {
 
 // How far a point lies before the plane of a face, Q14 grid units: an offset of 15 bits with its sign times a
 // unit vector stays below 2^29.
-int32_t height_over(const Scene& scene, const Face& face, Vec3 point) {
+int32_t corner_height(const Scene& scene, const Face& face, Vec3 point) {
   return dot(vec(face.normal), point - corner_position(scene, face, 0));
 }
 
@@ -46,7 +46,7 @@ constexpr int32_t kHeightTolerance = kPlaneTolerance * kUnit;
 
 bool is_in_plane(const Scene& scene, const Face& face, const Face& other) {
   for (int k = 0; k < other.corner_count; ++k) {
-    const int32_t height = height_over(scene, face, corner_position(scene, other, k));
+    const int32_t height = corner_height(scene, face, corner_position(scene, other, k));
     if (height > kHeightTolerance || height < -kHeightTolerance) {
       return false;
     }
@@ -72,7 +72,7 @@ bool has_edge_between(const Scene& scene, const Face& face, const Face& other) {
 }
 
 bool is_before(const Scene& scene, const Face& face, Vec3 point) {
-  return height_over(scene, face, point) >= -kHeightTolerance;
+  return corner_height(scene, face, point) >= -kHeightTolerance;
 }
 
 // Two layers in one plane, the upper of which hides the lower.
