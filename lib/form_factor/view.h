@@ -80,16 +80,14 @@ struct Workspace {
 /// take part, without their depth. Cost: 9 products a vertex, 3 a face.
 void make_view(const Scene& scene, const EyePoint& eye, Backs backs, Workspace& work);
 
-<<<<<<< HEAD
 /// Whether what is seen of a face is to be cut into elements.
 inline bool has_grid(const Scene& scene, const FaceView& view) {
   return view.cells_u * view.cells_v > 1 || scene.roots != nullptr;
 }
-=======
+
 /// Adds the depth of the faces in view, in the axes that make_view() leaves. Only a view in which faces meet
 /// on a row needs it: where nothing hides anything, none does. Cost: 15 products and a division a face.
 void make_depths(const Scene& scene, const EyePoint& eye, Workspace& work);
->>>>>>> h5-needs
 
 /// Adds the element grids of the faces in view. Cost: 50 products a face.
 void make_grids(const Scene& scene, const EyePoint& eye, Workspace& work);
