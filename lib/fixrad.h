@@ -15,6 +15,7 @@
 // Integers only, no heap, no exceptions; the same bits on every processor.
 // clang-format on
 
+#include "lib/refine/refinement.h"
 #include "lib/transport/gathering.h"
 #include "lib/transport/irradiance.h"
 #include "lib/transport/shooting.h"

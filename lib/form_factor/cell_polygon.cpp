@@ -217,6 +217,61 @@ void element_polygon(const Scene& scene, const Face& face, const ElementCells& c
   for_cuts(scene, cells, columns, rows, [&](const CutLine& cut) { clip(cut, polygon); });
 }
 
+CellPoint cell_point(const Face& face, const ElementCells& cells, const Vec3& point) {
+  const Vec3 u = vec(face.axis_u), v = vec(face.axis_v);
+  return {cell_coordinate(grid_lines(face, u, v, face.cells_u, 1), point, cells.u),
+          cell_coordinate(grid_lines(face, v, u, face.cells_v, -1), point, cells.first_v)};
+}
+
+void cut_polygon(const Face& face, const ElementCells& cells, const Cut& cut, const Polygon& whole,
+                 Polygon& left, Polygon& right) {
+  const Vec3 u = vec(face.axis_u), v = vec(face.axis_v);
+  const GridLines columns = grid_lines(face, u, v, face.cells_u, 1);
+  const GridLines rows = grid_lines(face, v, u, face.cells_v, -1);
+  left = right = whole;
+  clip(CutLine{columns, rows, cells, cut, false}, left);
+  clip(CutLine{columns, rows, cells, cut, true}, right);
+}
+
+namespace {
+
+// Twice the area of a fan's triangle times the normal's length: 2^-12 square grid units times 2^14.
+int64_t triangle(const Face& face, const Polygon& polygon, int k) {
+  const Vec3 a = polygon.corner[k] - polygon.corner[0], b = polygon.corner[k + 1] - polygon.corner[0];
+  const int64_t x = static_cast<int64_t>(a.y) * b.z - static_cast<int64_t>(a.z) * b.y;
+  const int64_t y = static_cast<int64_t>(a.z) * b.x - static_cast<int64_t>(a.x) * b.z;
+  const int64_t z = static_cast<int64_t>(a.x) * b.y - static_cast<int64_t>(a.y) * b.x;
+  const int64_t area = x * face.normal[0] + y * face.normal[1] + z * face.normal[2];
+  return area > 0 ? area : 0;
+}
+
+constexpr int kWeightBits = 24;  // of a fan's triangles, together
+
+}  // namespace
+
+PolygonMoments moments_of(const Face& face, const Polygon& polygon) {
+  int64_t area = 0;
+  for (int k = 1; k + 1 < polygon.count; ++k) {
+    area += triangle(face, polygon, k);
+  }
+  const int shift = wide_bits(area) > kWeightBits ? wide_bits(area) - kWeightBits : 0;
+  int64_t weight = 0, x = 0, y = 0, z = 0;
+  for (int k = 1; k + 1 < polygon.count; ++k) {
+    const Vec3 a = polygon.corner[0], b = polygon.corner[k], c = polygon.corner[k + 1];
+    const int64_t w = triangle(face, polygon, k) >> shift;
+    weight += w;
+    x += w * (static_cast<int64_t>(a.x) + b.x + c.x);
+    y += w * (static_cast<int64_t>(a.y) + b.y + c.y);
+    z += w * (static_cast<int64_t>(a.z) + b.z + c.z);
+  }
+  if (weight == 0) {
+    return {0, polygon.count > 0 ? polygon.corner[0] : Vec3{0, 0, 0}};
+  }
+  return {static_cast<uint64_t>(area),
+          {static_cast<int32_t>(x / (3 * weight)), static_cast<int32_t>(y / (3 * weight)),
+           static_cast<int32_t>(z / (3 * weight))}};
+}
+
 namespace {
 
 int32_t cell_of_point(const GridLines& lines, const Vec3& point) {

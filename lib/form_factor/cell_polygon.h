@@ -69,6 +69,24 @@ class ElementCellWalk {
 /// 64-bit products (at a cut six, and two 64-bit divisions), a new corner three divisions.
 void element_polygon(const Scene& scene, const Face& face, const ElementCells& cells, Polygon& polygon);
 
+/// A point of a face's plane in the coordinates of an element's cell, as in Cut: Q16.
+struct CellPoint {
+  int32_t u, v;
+};
+CellPoint cell_point(const Face& face, const ElementCells& cells, const Vec3& point);
+
+/// What a further cut leaves of the polygon of an element to its left and to its right. Cost: two clips.
+void cut_polygon(const Face& face, const ElementCells& cells, const Cut& cut, const Polygon& whole,
+                 Polygon& left, Polygon& right);
+
+/// Area and centroid of a polygon of `face`. Cost: two cross products and 64-bit products a corner, three
+/// divisions.
+struct PolygonMoments {
+  uint64_t area;  ///< 2^-27 square grid units; 0 for a polygon without area
+  Vec3 centroid;  ///< 1/64 grid unit
+};
+PolygonMoments moments_of(const Face& face, const Polygon& polygon);
+
 /// The cells of element `element` of `face`. Cost: a read a row.
 ElementCells cells_of(const Scene& scene, const Face& face, uint16_t element);
 

@@ -164,6 +164,65 @@ void start_face_accounts(State& state) {
   state.next_emitter = state.scene.element_count;
 }
 
+namespace {
+
+// The part weight / (weight + rest) of `whole`, towards zero.
+int32_t part_of(int32_t whole, uint32_t weight, uint32_t rest) {
+  const uint64_t sum = static_cast<uint64_t>(weight) + rest;
+  const int shift = sum >> 32 != 0 ? 1 : 0;
+  const uint32_t all = static_cast<uint32_t>(sum >> shift);
+  const uint32_t part = all == 0
+                            ? magnitude(whole) / 2
+                            : static_cast<uint32_t>(wide_product(magnitude(whole), weight >> shift) / all);
+  return whole < 0 ? -static_cast<int32_t>(part) : static_cast<int32_t>(part);
+}
+
+// The same of what was sent, so that both parts are short fluxes: they keep the step of the whole.
+uint16_t short_part(uint16_t whole, uint32_t weight, uint32_t rest) {
+  const uint32_t flux = long_flux(whole);
+  const int excess = bit_length(flux) - (kShortFluxBits + 1);
+  const int step = excess > 0 ? excess : 0;
+  return short_flux(static_cast<uint32_t>(part_of(static_cast<int32_t>(flux >> step), weight, rest)) << step);
+}
+
+// Elements behind `parent` move up by one, and with them the accounts of all channels: from the last half
+// word to the first, since none moves down.
+void make_room(State& state, uint16_t parent) {
+  const uint16_t count = state.scene.element_count;
+  const uint32_t faces = state.scene.face_count;
+  const uint32_t channels = state.scene.channels;
+  const uint32_t before = account_words(count - 1u, faces);
+  for (uint32_t i = count * channels; i-- > (parent + 2u) * channels;) {
+    state.received[i] = state.received[i - channels];
+  }
+  for (int c = state.scene.channels - 1; c >= 0; --c) {
+    const int32_t* from = state.accounts + static_cast<uint32_t>(c) * before;
+    for (uint16_t e = count; e-- > 0;) {
+      const uint16_t source = e > parent ? static_cast<uint16_t>(e - 1) : e;
+      set_sent(state, e, c, half_of(from, source));
+    }
+  }
+}
+
+}  // namespace
+
+void share_flux(State& state, uint16_t parent, const uint32_t* weight, const uint32_t* rest) {
+  make_room(state, parent);
+  const uint16_t child = static_cast<uint16_t>(parent + 1);
+  const uint32_t channels = state.scene.channels;
+  for (uint32_t c = 0; c < channels; ++c) {
+    int32_t& received = state.received[parent * channels + c];
+    const int32_t kept = part_of(received, weight[c], rest[c]);
+    state.received[child * channels + c] = received - kept;
+    received = kept;
+    const int32_t* account = account_of(state, static_cast<int>(c));
+    const uint16_t sent = half_of(account, parent);
+    const uint16_t kept_sent = short_part(sent, weight[c], rest[c]);
+    set_sent(state, parent, static_cast<int>(c), kept_sent);
+    set_sent(state, child, static_cast<int>(c), short_flux(long_flux(sent) - long_flux(kept_sent)));
+  }
+}
+
 void account_unshot(State& state, uint16_t face, int c, Flux more) {
   account_of(state, c)[face] += more.raw;
 }

@@ -40,6 +40,11 @@ void start_face_accounts(State& state);
 /// Adds to what face `face` has to send. Needs sweep.kind == face.
 void account_unshot(State& state, uint16_t face, int c, Flux more);
 
+/// Puts an element's share of what `parent` has received and sent, channel by channel, into a new element
+/// parent + 1, of which those behind it make room: `weight` of weight + `rest` is the parent's part. The
+/// scene already counts the new element. Sums stay as they are, to the unit. Needs sweep.kind != face.
+void share_flux(State& state, uint16_t parent, const uint32_t* weight, const uint32_t* rest);
+
 /// What the sources of the kind that shoots now have to send.
 struct Survey {
   uint64_t most;                     ///< that one of them has, sum of the magnitudes of the channels meant
