@@ -90,7 +90,7 @@ class Cutter {
 };
 
 Cutter::Cutter(const PreparedScene& scene, Meshing& meshing, const DiscontinuityOptions& options)
-    : scene_(scene), meshing_(meshing), light_(scene, options.flat), lit_(scene.faces.size()) {
+    : scene_(scene), meshing_(meshing), light_(scene, options.weights), lit_(scene.faces.size()) {
   if (options.use_lines) {
     lines_ = find_critical_lines(scene);
   }
