@@ -51,7 +51,7 @@ constexpr uint32_t pool_bytes(const Sizes& s) {
 /// Bytes of everything else in a solver on a target with pointers of `pointer_bytes`, rounded up to whole
 /// words.
 constexpr uint32_t state_bytes(uint32_t pointer_bytes) {
-  return 24 * pointer_bytes + 188;
+  return 26 * pointer_bytes + 192;
 }
 
 /// All the memory of a radiosity solution, in one object without pointers to anything but the caller's scene.

@@ -114,9 +114,10 @@ void for_backs_in_view(State& state, std::uint16_t e, Report report) {
   const Element element = state.scene.elements[e];
   const DeltaTable& table = kLunes[2];
   Workspace& work = state.work;
-  make_view(state.scene, {vec(element.eye), element.face, 0}, Backs::all, work);
+  const EyePoint eye = {vec(element.eye), element.face, 0};
+  make_view(state.scene, eye, Backs::all, work);
   enter_band(state.scene, table, 0, kBandRows, work);
-  VisibleSpans visible(work);
+  VisibleSpans visible(state.scene, eye, kTop, work);
   for (int r = 0; r < kBandRows; ++r) {
     const BandRow row = band_row(table, 0, r);
     if (!find_visible(state.scene, row, work, visible)) {

@@ -50,7 +50,7 @@ class EyeCounter {
         sum_[kVertex] += scene.vertex_count;
       }
       for (int first = side == kTop ? 0 : size / 2; first < size; first += kBandRows) {
-        count_band(eye.table, side, first, band_count(eye.table, first));
+        count_band(eye, side, first);
       }
     }
   }
@@ -58,7 +58,9 @@ class EyeCounter {
   const Work& sum() const { return sum_; }
 
  private:
-  void count_band(const DeltaTable& table, int side, int first, int count) {
+  void count_band(const WorkRecorder::Eye& eye, int side, int first) {
+    const DeltaTable& table = eye.table;
+    const int count = band_count(table, first);
     Workspace& work = device_.state().work;
     const Scene& scene = device_.state().scene;
     if (cut_ == Cut::lunes) {
@@ -68,6 +70,7 @@ class EyeCounter {
     }
     sum_[kBandVertex] += scene.vertex_count;
     sum_[kBandFace] += work.view_count;
+    VisibleSpans visible(scene, eye.sample.eye, side, work);
     for (int i = 0; i < count; ++i) {
       const BandRow row = {row_plane(table, first + i), static_cast<RowMask>(1u << i)};
       sum_[kRow] += 1;
@@ -75,7 +78,7 @@ class EyeCounter {
         sum_[kPixel] += std::uint64_t{1} << table.resolution_log2;
         count_pixel_row(row, table.resolution_log2);
       } else {
-        count_row(row);
+        count_row(row, visible);
       }
     }
   }
@@ -102,9 +105,8 @@ class EyeCounter {
     }
   }
 
-  void count_row(const BandRow& row) {
-    Workspace& work = device_.state().work;
-    VisibleSpans visible(work);
+  void count_row(const BandRow& row, VisibleSpans& visible) {
+    const Workspace& work = device_.state().work;
     visible.reset();
     for_each_interval(row, [&](std::uint16_t view, Interval part) {
       sum_[kMet] += visible.count();

@@ -41,6 +41,53 @@ GridLines grid_lines(const Face& face, const Vec3& axis, const Vec3& other, int3
           cells};
 }
 
+// One of them; what is kept lies where sign * side >= 0.
+struct GridLine {
+  const GridLines& lines;
+  int32_t number, sign;
+
+  int64_t side(const Vec3& p) const { return sign * lines.side(p, number); }
+};
+
+// Coordinates of a cell, Q16.
+constexpr int kCellBits = 16;
+
+int32_t cell_coordinate(const GridLines& lines, const Vec3& p, int32_t cell) {
+  const int bits = wide_bits(lines.extent);
+  const int shift = bits > kSideBits ? bits - kSideBits : 0;
+  const int64_t extent = lines.extent >> shift;
+  const int64_t way = (lines.side(p, cell) >> shift) * (static_cast<int64_t>(1) << kCellBits);
+  return extent > 0 ? static_cast<int32_t>(way / extent) : 0;
+}
+
+// A cut of a cell; kept is what lies to its left, or to its right.
+struct CutLine {
+  const GridLines& columns;
+  const GridLines& rows;
+  const ElementCells& cells;
+  Cut cut;
+  bool is_right;
+
+  int64_t side(const Vec3& p) const {
+    const int64_t u = cell_coordinate(columns, p, cells.u), v = cell_coordinate(rows, p, cells.first_v);
+    const int64_t left = cut.a * u + cut.b * v + cut.c * (static_cast<int64_t>(1) << kCellBits);
+    return is_right ? -left : left;
+  }
+};
+
+// Calls use(line) with each cut on the way to an element.
+template <class Use>
+void for_cuts(const Scene& scene, const ElementCells& cells, const GridLines& columns, const GridLines& rows,
+              Use use) {
+  uint16_t side = cells.root;
+  for (int i = 0; i < cells.cuts; ++i) {
+    const Cut cut = flash_read(scene.cuts, side);
+    const bool is_right = (cells.way >> (kMostCuts - 1 - i) & 1) != 0;
+    use(CutLine{columns, rows, cells, cut, is_right});
+    side = is_right ? cut.right : cut.left;
+  }
+}
+
 int32_t between(int32_t a, int32_t b, int32_t part, int32_t whole) {
   const int64_t way = static_cast<int64_t>(b - a) * part;
   const int64_t half = way < 0 ? -static_cast<int64_t>(whole / 2) : whole / 2;
@@ -60,18 +107,19 @@ Vec3 cut_point(const Vec3& inside, int64_t in, const Vec3& outside, int64_t out)
           between(inside.z, outside.z, part, whole)};
 }
 
-// Keeps the side of the line where sign * side >= 0 (Sutherland & Hodgman 1974).
-void clip(const GridLines& lines, int32_t line, int32_t sign, Polygon& polygon) {
+// Keeps the part where line.side() >= 0 (Sutherland & Hodgman 1974).
+template <class Line>
+void clip(const Line& line, Polygon& polygon) {
   const Polygon from = polygon;
   polygon.count = 0;
   if (from.count == 0) {
     return;
   }
   Vec3 a = from.corner[from.count - 1];
-  int64_t side_a = sign * lines.side(a, line);
+  int64_t side_a = line.side(a);
   for (int k = 0; k < from.count; ++k) {
     const Vec3 b = from.corner[k];
-    const int64_t side_b = sign * lines.side(b, line);
+    const int64_t side_b = line.side(b);
     if (((side_a < 0 && side_b > 0) || (side_a > 0 && side_b < 0)) && polygon.count < Polygon::kMost) {
       polygon.corner[polygon.count++] =
           side_a > 0 ? cut_point(a, side_a, b, side_b) : cut_point(b, side_b, a, side_a);
@@ -109,16 +157,44 @@ bool ElementCellWalk::next_row() {
   return true;
 }
 
+// Down the cuts along the way.
+void ElementCellWalk::enter_element() {
+  uint16_t side = cells_.root;
+  for (cells_.cuts = 0; side < kLeaf && cells_.cuts < kMostCuts; ++cells_.cuts) {
+    const Cut cut = flash_read(scene_.cuts, side);
+    side = (cells_.way >> (kMostCuts - 1 - cells_.cuts) & 1) != 0 ? cut.right : cut.left;
+  }
+  cells_.element = static_cast<uint16_t>(side & (kLeaf - 1u));
+}
+
 bool ElementCellWalk::next() {
+  const uint16_t step = static_cast<uint16_t>(1u << (kMostCuts - cells_.cuts));
+  if (cells_.cuts > 0 && cells_.way + step < (1 << kMostCuts)) {
+    cells_.way = static_cast<uint16_t>(cells_.way + step);  // carries over to the next side not yet seen
+    enter_element();
+    return true;
+  }
   if (column_ > row_.last_cell && !next_row()) {
     return false;
   }
-  cells_.element =
+  enter_cell();
+  return true;
+}
+
+void ElementCellWalk::enter_cell() {
+  const uint16_t cell =
       static_cast<uint16_t>(row_.first_element + static_cast<unsigned>(column_ - row_.first_cell));
+  cells_.u = static_cast<uint8_t>(column_);
   cells_.first_u = static_cast<uint8_t>(column_ == row_.first_cell ? 0 : column_);
   cells_.end_u = static_cast<uint8_t>(column_ == row_.last_cell ? face_.cells_u : column_ + 1);
   ++column_;
-  return true;
+  cells_.way = 0;
+  cells_.cuts = 0;
+  cells_.element = cell;
+  if (scene_.roots != nullptr) {
+    cells_.root = flash_read(scene_.roots, cell);
+    enter_element();
+  }
 }
 
 void element_polygon(const Scene& scene, const Face& face, const ElementCells& cells, Polygon& polygon) {
@@ -126,18 +202,19 @@ void element_polygon(const Scene& scene, const Face& face, const ElementCells& c
   face_outline(scene, face, polygon);
   const GridLines rows = grid_lines(face, v, u, face.cells_v, -1);
   if (cells.first_v > 0) {
-    clip(rows, cells.first_v, 1, polygon);
+    clip(GridLine{rows, cells.first_v, 1}, polygon);
   }
   if (cells.end_v < face.cells_v) {
-    clip(rows, cells.end_v, -1, polygon);
+    clip(GridLine{rows, cells.end_v, -1}, polygon);
   }
   const GridLines columns = grid_lines(face, u, v, face.cells_u, 1);
   if (cells.first_u > 0) {
-    clip(columns, cells.first_u, 1, polygon);
+    clip(GridLine{columns, cells.first_u, 1}, polygon);
   }
   if (cells.end_u < face.cells_u) {
-    clip(columns, cells.end_u, -1, polygon);
+    clip(GridLine{columns, cells.end_u, -1}, polygon);
   }
+  for_cuts(scene, cells, columns, rows, [&](const CutLine& cut) { clip(cut, polygon); });
 }
 
 namespace {
@@ -154,12 +231,19 @@ int32_t cell_of_point(const GridLines& lines, const Vec3& point) {
 
 ElementCells cells_at(const Scene& scene, const Face& face, const Vec3& point) {
   const Vec3 u = vec(face.axis_u), v = vec(face.axis_v);
-  const int32_t column = cell_of_point(grid_lines(face, u, v, face.cells_u, 1), point);
-  const int32_t row = cell_of_point(grid_lines(face, v, u, face.cells_v, -1), point);
+  const GridLines columns = grid_lines(face, u, v, face.cells_u, 1);
+  const GridLines rows = grid_lines(face, v, u, face.cells_v, -1);
+  const int32_t column = cell_of_point(columns, point);
+  const int32_t row = cell_of_point(rows, point);
   ElementCellWalk walk(scene, face);
   while (walk.next()) {
     const ElementCells& c = walk.cells();
-    if (column >= c.first_u && column < c.end_u && row >= c.first_v && row < c.end_v) {
+    bool holds = column >= c.first_u && column < c.end_u && row >= c.first_v && row < c.end_v;
+    for_cuts(scene, c, columns, rows, [&](const CutLine& cut) {
+      const int64_t side = cut.side(point);
+      holds = holds && (side > 0 || (side == 0 && !cut.is_right));
+    });
+    if (holds) {
       break;
     }
   }

@@ -12,9 +12,9 @@ constexpr int kFineLog2 = 6;
 constexpr int32_t kFineScale = 1 << kFineLog2;
 
 /// A convex planar polygon, counter-clockwise seen from the lit side; 1/64 grid unit, 0 .. 2^20. An outline
-/// of kMaxCorners gains one corner for each of the four lines of a cell.
+/// of kMaxCorners gains one corner for each of the four lines of a cell and for each cut through it.
 struct Polygon {
-  static constexpr int kMost = kMaxCorners + 4;
+  static constexpr int kMost = kMaxCorners + 4 + kMostCuts;
   Vec3 corner[kMost];
   int count;
 };
@@ -28,14 +28,18 @@ inline Vec3 fine_point(Vec3 quarters) {
 /// The outline of a face. Cost: a read a corner.
 void face_outline(const Scene& scene, const Face& face, Polygon& polygon);
 
-/// The cells of one element: rows and columns of its face's grid, ends not included. Cells left out at the
-/// border of the face are part of the outermost ones.
+/// Where one element is: rows and columns of its face's grid, ends not included, and its way through the cuts
+/// of that cell. Cells left out at the border of the face are part of the outermost ones.
 struct ElementCells {
   uint16_t element;
   uint8_t first_u, end_u, first_v, end_v;
+  uint8_t u;      ///< the cell's own number in its row
+  uint8_t cuts;   ///< on the way to the element
+  uint16_t root;  ///< where the way begins, a side as in Cut
+  uint16_t way;   ///< bit kMostCuts - 1 - i: at the i-th cut, 0 to the left, 1 to the right
 };
 
-/// Walks the elements of a face, row by row.
+/// Walks the elements of a face, row by row, and those of a cell from left to right of its cuts.
 ///
 ///     for (ElementCellWalk walk(scene, face); walk.next();) use(walk.cells());
 ///
@@ -49,17 +53,20 @@ class ElementCellWalk {
 
  private:
   bool next_row();
+  void enter_cell();
+  void enter_element();
 
   const Scene& scene_;
   const Face& face_;
-  ElementCells cells_ = {0, 0, 0, 0, 0};
+  ElementCells cells_ = {0, 0, 0, 0, 0, 0, 0, kLeaf, 0};
   CellRow row_ = {0, 1, 0};
   int column_ = 1;
 };
 
 /// The polygon of an element: the face's outline between the lines of its cells, of which the outermost are
-/// open. Count 0 where nothing is left. Neighbours are cut at the same points but for 1/64 unit. Cost: up to
-/// four clips of up to 12 corners; a corner is three 64-bit products, a cut three divisions.
+/// open, and on its side of the cell's cuts. Count 0 where nothing is left. Neighbours are cut at the same
+/// points but for 1/64 unit. Cost: up to four clips of up to 12 corners, and one a cut; a corner is three
+/// 64-bit products (at a cut six, and two 64-bit divisions), a new corner three divisions.
 void element_polygon(const Scene& scene, const Face& face, const ElementCells& cells, Polygon& polygon);
 
 /// The cells of element `element` of `face`. Cost: a read a row.

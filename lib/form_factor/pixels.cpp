@@ -78,6 +78,7 @@ Status hemicube_pixels(const Scene& scene, const DeltaTable& table, const EyeSam
   }
   make_view(scene, sample.eye, backs_in(sample), work);
   make_grids(scene, sample.eye, work);
+  make_depths(scene, sample.eye, work);
   RowWriter writer(row, sample.weight);
   const int size = 1 << table.resolution_log2;
   uint32_t base = 0;

@@ -15,7 +15,8 @@ bool find_visible(const Scene& scene, const BandRow& row, Workspace& work, Visib
 /// `base` is the running sum of all rows before and is moved on. False if the span pool is full.
 struct BandSample {
   const DeltaTable& table;
-  bool is_top;  ///< of a hemicube
+  const EyePoint& eye;
+  int side;  ///< of a hemicube; of lunes kTop
   int first, count;
   bool is_closed;  ///< no row shows nothing
 };

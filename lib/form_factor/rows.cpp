@@ -17,7 +17,8 @@ Status hemicube_rows(const Scene& scene, const DeltaTable& table, const EyeSampl
     for (int first = side == kTop ? 0 : size / 2; first < size; first += kBandRows) {
       const int count = band_count(table, first);
       enter_side_band(scene, table, side, first, count, work);
-      if (!sample_band(scene, {table, side == kTop, first, count, !sample.back_faces}, work, base, writer)) {
+      const BandSample band = {table, sample.eye, side, first, count, !sample.back_faces};
+      if (!sample_band(scene, band, work, base, writer)) {
         return Status::span_pool_full;
       }
     }

@@ -116,18 +116,29 @@ bool VisibleSpans::paint(uint16_t& i, Interval part, uint16_t index) {
   return true;
 }
 
+// The piece of `part` on which view `a` is nearer than `b`. The first two faces of a view that meet have the
+// depths of all its faces made.
+Interval VisibleSpans::won_part(uint16_t a, uint16_t b, Interval part, const RowPlane& plane) {
+  if (work_.views[a].depth_shift == 0) {
+    make_turned_depths(scene_, eye_, side_, work_);
+  }
+  return nearer_part(row_depth(work_.views[a], plane), row_depth(work_.views[b], plane), part);
+}
+
 bool VisibleSpans::insert(uint16_t index, Interval part, const RowPlane& plane) {
   const Span* spans = work_.spans;
   uint16_t i = 0;
   while (spans[i + 1].start <= part.begin) {
     ++i;
   }
+  if (spans[i].view == kNothing && part.end <= spans[i + 1].start) {
+    return paint(i, part, index);
+  }
   for (; spans[i].start < part.end; ++i) {
     Interval won = {spans[i].start > part.begin ? spans[i].start : part.begin,
                     spans[i + 1].start < part.end ? spans[i + 1].start : part.end};
     if (spans[i].view != kNothing) {
-      won = nearer_part(row_depth(work_.views[index], plane), row_depth(work_.views[spans[i].view], plane),
-                        won);
+      won = won_part(index, spans[i].view, won, plane);
     }
     if (won.begin < won.end && !paint(i, won, index)) {
       return false;

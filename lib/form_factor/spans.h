@@ -19,6 +19,8 @@ struct RowDepth {
     return x * from_middle + m * row_weight(from_middle, fold);
   }
 };
+
+/// Needs view.depth.
 RowDepth row_depth(const FaceView& view, const RowPlane& plane);
 
 /// Above 0 where `a` is nearer than `b` at a position of the row, below 0 where b is.
@@ -28,7 +30,9 @@ int32_t nearness(const RowDepth& a, const RowDepth& b, int32_t position);
 /// face or nothing, in a bounded pool; one span more, at kRowEnd, ends them.
 class VisibleSpans {
  public:
-  explicit VisibleSpans(Workspace& work) : work_(work) {}
+  /// On rows of `side` (of lunes: kTop) of the view from `eye` that `work` holds. All must outlive it.
+  VisibleSpans(const Scene& scene, const EyePoint& eye, int side, Workspace& work)
+      : scene_(scene), eye_(eye), work_(work), side_(side) {}
 
   /// Starts a row that shows nothing. Needs a pool of two.
   void reset();
@@ -36,7 +40,8 @@ class VisibleSpans {
   /// Shows view `index` on `part` (not empty) where it is nearer than what is there; of equals the earlier
   /// one stays. Faces that pierce each other are split where they cross. False if the pool is full: the row
   /// is then unusable. Cost: linear in the number of spans; twelve products for each face that is met, and a
-  /// division where they pierce each other.
+  /// division where they pierce each other. The first meeting in a view makes its depths; where nothing hides
+  /// anything there is none.
   bool insert(uint16_t index, Interval part, const RowPlane& plane);
 
   uint16_t count() const { return count_; }
@@ -47,8 +52,12 @@ class VisibleSpans {
   bool open(uint16_t i, uint16_t spans);
   void close(uint16_t i);
   bool paint(uint16_t& i, Interval part, uint16_t index);
+  Interval won_part(uint16_t a, uint16_t b, Interval part, const RowPlane& plane);
 
+  const Scene& scene_;
+  const EyePoint& eye_;
   Workspace& work_;
+  int side_;
   uint16_t count_ = 0;
 };
 

@@ -91,15 +91,20 @@ void make_plane(const EyeFrame& frame, Vec3 normal, int32_t height, FaceView& vi
   view.depth_shift = static_cast<uint8_t>(bits);
 }
 
+// How far the eye stands in front of the face's plane, Q14 quarters of a grid unit.
+int32_t eye_height(const Scene& scene, const Face& face, Vec3 eye) {
+  const Vec3 corner = vec(flash_read(scene.vertices, corner_vertex(scene, face, 0)));
+  return -dot(vec(face.normal), relative_to_eye(corner, eye));
+}
+
 // Not inlined: clang for AVR runs out of registers in the loop over all faces.
-__attribute__((noinline)) void see_face(const EyeFrame& frame, const Face& face, int32_t height,
-                                        FaceView& view) {
+__attribute__((noinline)) void see_face(const Face& face, FaceView& view) {
   view.first_corner = face.first_corner;
   view.corner_count = face.corner_count;
   view.first_cell_row = face.first_cell_row;
   view.cells_u = face.cells_u;
   view.cells_v = face.cells_v;
-  make_plane(frame, vec(face.normal), height, view);
+  view.depth_shift = 0;
 }
 
 }  // namespace
@@ -110,9 +115,7 @@ void make_view(const Scene& scene, const EyePoint& eye, Backs backs, Workspace& 
   work.view_count = 0;
   for (uint16_t f = 0; f < scene.face_count; ++f) {
     const Face& face = flash_at(scene.faces, f);
-    const Vec3 corner = vec(flash_read(scene.vertices, corner_vertex(scene, face, 0)));
-    const int32_t height = -dot(vec(face.normal), relative_to_eye(corner, eye.position));
-    const bool is_back = height < -kEdgeOn;
+    const bool is_back = eye_height(scene, face, eye.position) < -kEdgeOn;
     const bool is_left_out =
         is_back && (backs == Backs::none || (backs == Backs::unsealed && face.is_sealed != 0));
     if (f == eye.face || is_left_out || is_below_horizon(scene, face, work.directions)) {
@@ -121,7 +124,16 @@ void make_view(const Scene& scene, const EyePoint& eye, Backs backs, Workspace& 
     FaceView& view = work.views[work.view_count++];
     view.face = f;
     view.is_back = is_back;
-    see_face(frame, face, height, view);
+    see_face(face, view);
+  }
+}
+
+void make_depths(const Scene& scene, const EyePoint& eye, Workspace& work) {
+  const EyeFrame frame = eye_frame(flash_at(scene.faces, eye.face), eye.turn);
+  for (uint16_t i = 0; i < work.view_count; ++i) {
+    FaceView& view = work.views[i];
+    const Face& face = flash_at(scene.faces, view.face);
+    make_plane(frame, vec(face.normal), eye_height(scene, face, eye.position), view);
   }
 }
 

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numeric>
 #include <vector>
 
 #include "host_sim/meshing/cell_cuts.h"
+#include "lib/form_factor/cell_polygon.h"
 #include "tests/lib/scenes.h"
 #include "tests/lib/solution.h"
 
@@ -153,6 +155,42 @@ TEST(CutCells, LoseNoLight) {
   for (int c = 0; c < 3; ++c) {
     EXPECT_EQ(ledger(solver.state(), c).escaped, 0);
   }
+}
+
+// Square grid units.
+double area_of(const Polygon& polygon) {
+  glm::dvec3 sum(0.0);
+  const auto at = [&](int k) {
+    return glm::dvec3(polygon.corner[k].x, polygon.corner[k].y, polygon.corner[k].z) /
+           static_cast<double>(kFineScale);
+  };
+  for (int k = 1; k + 1 < polygon.count; ++k) {
+    sum += glm::cross(at(k) - at(0), at(k + 1) - at(0)) / 2.0;
+  }
+  return glm::length(sum);
+}
+
+TEST(CutCells, HaveThePolygonsThatTheHostCut) {
+  Random random(8);
+  Meshed cut(random_closed_room(7), 120);
+  cut_at_random(cut, random, 320);
+  cut.make();
+  const Scene scene = cut.device.view();
+  std::vector<int> seen(cut.device.elements.size(), 0);
+  for (std::uint16_t f = 0; f < scene.face_count; ++f) {
+    const fixrad::Face face = scene.faces[f];
+    for (ElementCellWalk walk(scene, face); walk.next();) {
+      const std::uint16_t e = walk.cells().element;
+      ++seen[e];
+      Polygon polygon;
+      element_polygon(scene, face, walk.cells(), polygon);
+      const double expected = cut.device.elements[e].area / 8.0;
+      EXPECT_NEAR(area_of(polygon), expected, 0.002 * expected + 4) << "element " << e;
+      EXPECT_EQ(cells_of(scene, face, e).way, walk.cells().way);
+      EXPECT_EQ(cells_at(scene, face, fine_point(vec(cut.device.elements[e].eye))).element, e);
+    }
+  }
+  EXPECT_EQ(seen, std::vector<int>(seen.size(), 1)) << "each element once";
 }
 
 DeviceScene scene_with_a_cut() {
