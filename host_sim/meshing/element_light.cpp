@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMostLamps = 16;
 constexpr double kLift = 0.25;  // grid units that points stand off their face
 constexpr double kTurn = 6.283185307179586;
-constexpr int kRing = 5;         // points round a corner
+constexpr int kRing = 3;         // points round a corner
 constexpr double kRadius = 2.0;  // grid units
 constexpr double kTouch = 0.75;  // grid units; as the displayed mesh joins corners
 
