@@ -70,7 +70,7 @@ def shadow_room():
     pillar = box("pillar", "box", (-150, 0, -200), (150, 1600, 200), without="y-")
     top = box("table", "box", (-500, 700, -300), (500, 740, 300))
     scene.add(shell, placed(block, (1300, 1200), (3, 4, 5)), placed(pillar, (3700, 1300), (4, 3, 5)),
-              placed(top, (1700, 3000), (4, -3, 5)), box("shelf", "box", (3000, 1300, 3600), (4400, 1330, 4000), without="z+"))
+              placed(top, (1700, 3000), (4, -3, 5)), box("shelf", "box", (1900, 1300, 0), (3200, 1330, 350), without="z-"))
     return scene
 
 

@@ -18,6 +18,7 @@ using Corners = std::vector<glm::dvec3>;
 /// The part of a convex polygon where normal . (p - on) <= 0.
 Corners cut(const Corners& polygon, const glm::dvec3& normal, const glm::dvec3& on) {
   Corners kept;
+  kept.reserve(polygon.size() + 1);
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const glm::dvec3 &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
     const double at_p = glm::dot(normal, p - on), at_q = glm::dot(normal, q - on);
@@ -68,6 +69,11 @@ DirectLight::DirectLight(const PreparedScene& scene, std::size_t most_lamps) {
     for (const std::uint32_t v : scene.faces[f].corners) {
       corners.emplace_back(scene.vertices.positions[v]);
     }
+    Ball ball = {scene.frames[f].height, 0.0};
+    for (const glm::dvec3& corner : corners) {
+      ball.radius = std::max(ball.radius, glm::distance(corner, ball.middle));
+    }
+    balls_.push_back(ball);
     faces_.push_back(corners);
     normals_.push_back(scene.faces[f].normal);
     const glm::dvec3 emission = scene.model->materials[scene.faces[f].material].emission;
@@ -82,6 +88,15 @@ DirectLight::DirectLight(const PreparedScene& scene, std::size_t most_lamps) {
   lamps_.resize(std::min(lamps_.size(), most_lamps));
 }
 
+// Whether the ball round a face reaches into the cone from the point to the ball round a lamp.
+bool DirectLight::may_hide(std::uint32_t blocker, std::uint32_t lamp, const glm::dvec3& point) const {
+  const glm::dvec3 way = balls_[lamp].middle - point, aside = balls_[blocker].middle - point;
+  const double along = std::clamp(glm::dot(way, aside) / std::max(1.0, glm::dot(way, way)), 0.0, 1.0);
+  const glm::dvec3 off = aside - along * way;
+  const double reach = balls_[blocker].radius + balls_[lamp].radius;
+  return glm::dot(off, off) <= reach * reach;
+}
+
 // What a blocker hides lies behind its plane and between the planes through the point and its edges.
 void DirectLight::hide(std::uint32_t blocker, const glm::dvec3& point, std::vector<Corners>& seen) const {
   const Corners& corners = faces_[blocker];
@@ -90,11 +105,18 @@ void DirectLight::hide(std::uint32_t blocker, const glm::dvec3& point, std::vect
     return;
   }
   const double turn = height > 0 ? 1.0 : -1.0;
-  std::vector<std::pair<glm::dvec3, glm::dvec3>> planes{{turn * normals_[blocker], corners[0]}};
+  const glm::dvec3 towards = turn * normals_[blocker];
+  if (std::all_of(seen.begin(), seen.end(),
+                  [&](const Corners& part) { return is_all_beyond(part, towards, corners[0]); })) {
+    return;
+  }
+  std::vector<std::pair<glm::dvec3, glm::dvec3>> planes;
+  planes.reserve(corners.size() + 1);
   for (std::size_t k = 0; k < corners.size(); ++k) {
     planes.emplace_back(turn * glm::cross(corners[k] - point, corners[(k + 1) % corners.size()] - point),
                         point);
   }
+  planes.emplace_back(towards, corners[0]);
   std::vector<Corners> rest;
   for (Corners& part : seen) {
     const bool is_free = std::any_of(planes.begin(), planes.end(), [&](const auto& plane) {
@@ -144,7 +166,8 @@ double DirectLight::sum(std::uint32_t face, const glm::dvec3& point, bool is_hid
       seen.push_back(above);
     }
     for (std::uint32_t f = 0; f < faces_.size() && is_hidden && !seen.empty(); ++f) {
-      if (f != face && f != lamp.face) {
+      if (f != face && f != lamp.face && may_hide(f, lamp.face, point) &&
+          !is_all_beyond(faces_[f], -normals_[face], point)) {
         hide(f, point, seen);
       }
     }

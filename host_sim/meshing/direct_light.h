@@ -34,12 +34,18 @@ class DirectLight {
     std::uint32_t face;
     double exitance;
   };
+  struct Ball {
+    glm::dvec3 middle;
+    double radius;
+  };
 
   double sum(std::uint32_t face, const glm::dvec3& point, bool is_hidden) const;
+  bool may_hide(std::uint32_t blocker, std::uint32_t lamp, const glm::dvec3& point) const;
   void hide(std::uint32_t blocker, const glm::dvec3& point, std::vector<Corners>& seen) const;
 
   std::vector<Corners> faces_;
   std::vector<glm::dvec3> normals_;
+  std::vector<Ball> balls_;  // round the faces
   std::vector<Lamp> lamps_;
 };
 

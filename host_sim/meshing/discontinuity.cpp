@@ -20,7 +20,8 @@ namespace {
 constexpr std::size_t kSamples = 32;       // of an element, at least
 constexpr std::size_t kSamplesOfCut = 64;  // of one that critical lines cross
 constexpr double kLeastCrossing = 8.0;     // grid units of a line in an element
-constexpr std::size_t kMostOfPairs = 12;   // lines of an element that are tried in pairs
+constexpr std::size_t kMostLines = 12;     // of an element that are tried
+constexpr std::size_t kMostOfPairs = 6;    // of these, in pairs
 constexpr double kSlanted = 0.5;           // sine of the angle from which two lines are no strip
 constexpr double kPatience = 0.1;  // part of an element's error that counts although no cut lessens it
 
@@ -90,7 +91,7 @@ class Cutter {
 };
 
 Cutter::Cutter(const PreparedScene& scene, Meshing& meshing, const DiscontinuityOptions& options)
-    : scene_(scene), meshing_(meshing), light_(scene, options.flat), lit_(scene.faces.size()) {
+    : scene_(scene), meshing_(meshing), light_(scene, options.weights), lit_(scene.faces.size()) {
   if (options.use_lines) {
     lines_ = find_critical_lines(scene);
   }
@@ -166,7 +167,7 @@ std::vector<std::vector<Line2d>> Cutter::possible_cuts(std::uint32_t f, std::uin
     const FaceFrame& frame = scene_.frames[f];
     return glm::normalize(frame.to_grid(lines_[lines[i]].b) - frame.to_grid(lines_[lines[i]].a));
   };
-  for (std::size_t i = 0; i < lines.size(); ++i) {
+  for (std::size_t i = 0; i < std::min(lines.size(), kMostLines); ++i) {
     cuts.push_back({line(i)});
     for (std::size_t j = 0; j < i && i < kMostOfPairs; ++j) {
       if (glm::length(glm::cross(direction(i), direction(j))) < kSlanted) {

@@ -4,14 +4,14 @@
 #include <cstdint>
 
 #include "host_sim/meshing/device_scene.h"
+#include "host_sim/meshing/element_light.h"
 
 namespace fixrad::host {
 
-/// How elements are shared out. The defaults are those of `docs/meshing.md`.
+/// How elements are shared out.
 struct DiscontinuityOptions {
-  double coarse = 0.3;  ///< of the elements, for the uniform mesh that is cut
-  double flat =
-      0.2;  ///< weight of light that is uneven but linear, which interpolation shows and an element does not
+  double coarse = 0.3;    ///< of the elements, for the uniform mesh that is cut
+  LightWeights weights;   ///< of errors other than that of the shading
   bool use_lines = true;  ///< false: halvings only, an adaptive mesh for the direct light
 };
 

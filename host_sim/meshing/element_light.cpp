@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -12,7 +13,7 @@ namespace {
 constexpr std::size_t kMostLamps = 16;
 constexpr double kLift = 0.25;  // grid units that points stand off their face
 constexpr double kTurn = 6.283185307179586;
-constexpr int kRing = 5;         // points round a corner
+constexpr int kRing = 3;         // points round a corner
 constexpr double kRadius = 2.0;  // grid units
 constexpr double kTouch = 0.75;  // grid units; as the displayed mesh joins corners
 
@@ -102,8 +103,18 @@ std::vector<std::array<std::size_t, 3>> fan_of(const Polygon2d& polygon) {
   return fan;
 }
 
-ElementLight::ElementLight(const PreparedScene& scene, double flat)
-    : scene_(scene), light_(scene, kMostLamps), flat_(flat), corners_(scene.faces.size()) {}
+ElementLight::ElementLight(const PreparedScene& scene, const LightWeights& weights)
+    : scene_(scene), light_(scene, kMostLamps), weights_(weights), corners_(scene.faces.size()) {
+  double emitted = 0, absorbing = 0;
+  for (std::size_t f = 0; f < scene.faces.size(); ++f) {
+    const Material& material = scene.model->materials[scene.faces[f].material];
+    const double face_area = area(scene.frames[f].outline) * scene.frames[f].unit_area();
+    scene_area_ += face_area;
+    emitted += face_area * glm::dot(material.emission, glm::dvec3(1.0 / 3));
+    absorbing += face_area * (1 - glm::dot(material.reflectance, glm::dvec3(1.0 / 3)));
+  }
+  ambient_ = emitted * (1 / absorbing - 1 / scene_area_);
+}
 
 LightSample ElementLight::sample(std::uint32_t face, glm::dvec2 at) const {
   const glm::dvec3 point = scene_.frames[face].to_grid(at) + kLift * scene_.frames[face].normal;
@@ -164,6 +175,19 @@ double ElementLight::shading_error(std::uint32_t face, const Polygon2d& border,
   return sum;
 }
 
+/// A sender stands for its light by its centroid: wrong by about the square of its size over that of the
+/// scene.
+double ElementLight::sender_error(std::uint32_t face, const Polygon2d& border) const {
+  glm::dvec2 low = border[0], high = low;
+  for (const glm::dvec2 p : border) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  const glm::dvec3 u(scene_.frames[face].axis_u), v(scene_.frames[face].axis_v);
+  const glm::dvec2 squared = (high - low) * (high - low) * glm::dvec2(glm::dot(u, u), glm::dot(v, v));
+  return (squared.x + squared.y) / scene_area_;
+}
+
 double ElementLight::error_of(std::uint32_t face, const Polygon2d& border,
                               const std::vector<LightSample>& samples) {
   if (samples.empty() || border.size() < 3) {
@@ -176,7 +200,9 @@ double ElementLight::error_of(std::uint32_t face, const Polygon2d& border,
   for (const LightSample& s : samples) {
     uneven += std::abs(s.light - mean);
   }
-  return shading_error(face, border, samples) + flat_ * uneven;
+  const double sent = static_cast<double>(samples.size()) * (mean + ambient_);
+  return shading_error(face, border, samples) + weights_.flat * uneven +
+         weights_.sender * sent * sender_error(face, border);
 }
 
 }  // namespace fixrad::host

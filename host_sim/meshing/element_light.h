@@ -36,13 +36,18 @@ bool insert_on_sides(const FaceFrame& frame, Polygon2d& border, const Polygon2d&
 /// largest. Corners may lie on straight sides.
 std::vector<std::array<std::size_t, 3>> fan_of(const Polygon2d& polygon);
 
+/// What counts beside light that shading does not show.
+struct LightWeights {
+  double flat = 0.2;    ///< light that is uneven within an element
+  double sender = 0.2;  ///< light that leaves an element, times the square of its size over the scene's area
+};
+
 /// What the lamps' direct light would look like on elements: shaded between their corners, as one sees it,
 /// and in one colour an element, as the solution has it. Remembers what it has looked up; the scene must
 /// outlive it.
 class ElementLight {
  public:
-  /// `flat` weighs light that is uneven within an element against light that shading does not show.
-  ElementLight(const PreparedScene& scene, double flat);
+  ElementLight(const PreparedScene& scene, const LightWeights& weights);
 
   LightSample sample(std::uint32_t face, glm::dvec2 at) const;
 
@@ -52,11 +57,14 @@ class ElementLight {
 
  private:
   double corner_light(std::uint32_t face, glm::dvec2 corner, glm::dvec2 inside);
+  double sender_error(std::uint32_t face, const Polygon2d& border) const;
   double shading_error(std::uint32_t face, const Polygon2d& border, const std::vector<LightSample>& samples);
 
   const PreparedScene& scene_;
   DirectLight light_;
-  double flat_;
+  LightWeights weights_;
+  double scene_area_ = 0;  // square grid units
+  double ambient_ = 0;     // mean irradiance by reflected light, as in a closed room, W/m^2
   std::vector<std::map<std::pair<double, double>, double>> corners_;  // [faces]: light by (s, t)
 };
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "host_sim/meshing/direct_light.h"
 #include "host_sim/meshing/segment_part.h"
 #include "tests/lib/scenes.h"
-#include "host_sim/meshing/direct_light.h"
 
 namespace fixrad::host {
 namespace {
@@ -278,9 +278,7 @@ TEST(CriticalLines, LieWhereverTheLampBeginsToBeHidden) {
     const FaceFrame& frame = traced.prepared.frames[floor];
     for (const double s : {0.13, 0.37, 0.61, 0.83}) {
       const auto at = [&](int i) { return frame.to_grid({s, (i + 0.5) / kSteps}); };
-      const auto shown = [&](int i) {
-        return light.irradiance(floor, at(i)) / light.unhidden(floor, at(i));
-      };
+      const auto shown = [&](int i) { return light.irradiance(floor, at(i)) / light.unhidden(floor, at(i)); };
       double before = shown(0);
       for (int i = 1; i < kSteps; ++i) {
         const double share = shown(i);
