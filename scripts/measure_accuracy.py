@@ -268,7 +268,7 @@ def main():
             found = measure(tool, pool)
             for name in PICTURES:
                 tool("bake", f"scenes/{name}.obj", "-o", f"docs/images/{name}.png")
-            memory = "```\n" + tool("info", SHOWN).split("\n\n", 1)[1].rstrip("\n") + "\n```\n"
+            memory = "```\n" + tool("info", SHOWN).rsplit("\n\n", 1)[1].rstrip("\n") + "\n```\n"
         write(ROOT / "docs/accuracy.md", accuracy_page.page(found))
         replace_generated(ROOT / "README.md",
                           {"memory": memory, "accuracy": accuracy_page.budget_table("profile", found["shown"])})

@@ -19,7 +19,7 @@ CHIPS = {
     "esp8266": ("Xtensa lx106", "ESP8266", 80, "xtensa-lx106-elf-gcc", "QEMU sim"),
 }
 
-ROWS_AIM = 8192  # bytes of code and tables for `rows` at R = 16
+ROWS_WANTED = 8192  # bytes of code and tables for `rows` at R = 16
 
 HEAD = """# Targets
 
@@ -54,9 +54,10 @@ STAGES = """
 
 The Cornell box, solving only, with the core and with its float peer. *Transform*: scene to eye, clipping. *Raster*:
 faces to intervals of a row. *Insert*: intervals by depth. *Split*: intervals to elements, delta form factors. *Rows*:
-the loop over them. *Distribute*: flux to elements and patches. *Search*: the brightest patch. Products, divisions,
-shifts and floats are the compiler's routines, whoever calls them. Stages below half a per cent on every target are *the
-rest*.
+the loop over them. *Distribute*: flux to elements, and to the accounts of faces once these shoot. *Search*: unshot flux
+of elements, patches or faces, from which a pass chooses who shoots, and the accounts of what they send. Products,
+divisions, shifts and floats are the compiler's routines, whoever calls them. Stages below half a per cent on every
+target are *the rest*.
 """
 
 
@@ -106,7 +107,8 @@ def chip_table(measured):
 def size_lines(measured):
     """The size of `rows` shooting, where a target's tests measure it."""
     return "".join(f"\nCode and tables for shooting with `rows` at R = 16, compiled with -Os for {CHIPS[preset][0]},\nwith "
-                   f"loading and the checks of the scene: {number(target['rows_size'])} bytes; the aim is {number(ROWS_AIM)}.\n"
+                   f"loading and the checks of the scene: {number(target['rows_size'])} bytes; {number(ROWS_WANTED)}\n"
+                   "were wanted ([design.md](design.md#where-do-the-bytes-of-code-go)).\n"
                    for preset, target in measured["targets"].items() if "rows_size" in target)
 
 

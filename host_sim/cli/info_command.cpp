@@ -1,66 +1,97 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
-#include <string>
 
-#include "host_sim/cli/session.h"
+#include "host_sim/cli/info_page.h"
+#include "host_sim/cli/search_options.h"
+#include "host_sim/report/text.h"
 
 namespace fixrad::host {
 namespace {
 
-void print_row(const Profile& profile, const std::string& rest) {
-  std::printf("  %-7s %9u  %-28s %s\n", profile.name.c_str(), profile.ram_bytes, profile.chip.c_str(),
-              rest.c_str());
+// The core that stands for a profile's chips.
+std::string usual_target(const std::string& profile) {
+  return profile == "tiny"     ? "atmega2560"
+         : profile == "small"  ? "cortex-m0"
+         : profile == "medium" ? "cortex-m3"
+                               : "cortex-m4f";
 }
 
-void print_profile(const LoadedScene& scene, BakeOptions options, const Profile& profile) {
-  options.profile = profile.name;
-  try {
-    const BakePlan plan = make_plan(scene.prepared, options);
-    char text[160];
-    std::snprintf(text, sizeof text, "%8u %8u %6d %9u %9zu", plan.sizes.elements, plan.meshing.patch_count,
-                  plan.resolution, plan.ram(), make_device_scene(scene.prepared, plan.meshing).rom_bytes());
-    print_row(profile, text);
-  } catch (const InputError&) {
-    print_row(profile, "does not fit");
+std::vector<ProfileCost> profile_costs(const PreparedScene& scene, BakeOptions options) {
+  std::vector<ProfileCost> costs;
+  for (const Profile& profile : profiles()) {
+    options.profile = profile.name;
+    ProfileCost cost = {profile, std::nullopt, 0};
+    try {
+      cost.plan = make_plan(scene, options);
+      cost.rom_bytes = make_device_scene(scene, cost.plan->meshing).rom_bytes();
+    } catch (const InputError&) {
+      cost.plan.reset();
+    }
+    costs.push_back(cost);
   }
+  return costs;
+}
+
+WantedError search(const CommonOptions& options, const PreparedScene& scene, double max_error) {
+  exit_on_interrupt();
+  const Truth truth = trace_truth(scene);
+  catch_interrupt();
+  Counter counter(options, 0);
+  const Solve solve = [&](const BakeOptions& setting) {
+    counter.next(setting);
+    return solve_setting(scene, truth, setting,
+                         [](std::uint32_t, double, double) { return !is_interrupted(); });
+  };
+  return {max_error, truth.standard_error, find_elements(scene, max_error, options.bake, solve)};
 }
 
 }  // namespace
 
-int run_info(const CommonOptions& options) {
+void add_info_options(CLI::App& command, CommonOptions& options, InfoOptions& info) {
+  std::vector<std::string> targets;
+  for (const CostModel& model : cost_models()) {
+    targets.push_back(model.target);
+  }
+  command.add_option("--target", info.target, "Core whose instructions count (default: the profile's chip)")
+      ->check(CLI::IsMember(targets));
+  command
+      .add_option("--max-error", info.max_error_percent,
+                  "Look for the elements that keep the mean error over faces to this, in per cent; takes "
+                  "seconds to minutes")
+      ->check(CLI::Range(0.01, 100.0, "PERCENT"));
+  command.add_option("--json", options.json, "Write the figures to this file too");
+}
+
+int run_info(const CommonOptions& options, const InfoOptions& info) {
+  check_folder(options.json);
   const auto scene = load_scene(options);
-  BakeResult result;
+  InfoPage page;
+  page.scene = scene.get();
+  page.options = &options;
+  page.model = find_cost_model(info.target.empty() ? usual_target(options.bake.profile) : info.target);
   {
     ProgressBar bar(options);
-    result = bake(scene->prepared, options.bake, [&](std::uint32_t shots, double unshot, double seconds) {
-      return bar.update(shots, unshot, seconds);
-    });
+    page.needs = find_needs(scene->prepared, options.bake, *page.model,
+                            [&](std::uint32_t shots, double unshot, double seconds) {
+                              return bar.update(shots, unshot, seconds);
+                            });
   }
-  if (result.interrupted) {
+  if (page.needs.result.interrupted) {
     return kInterrupted;
   }
-  std::printf("%s\n", scene->model.path.c_str());
-  std::printf("  input faces        %zu, as %u convex planar faces\n", scene->model.file_faces,
-              result.plan.sizes.faces);
-  std::printf("  vertices           %u on the grid, moved by at most %.3g scene units\n",
-              result.plan.sizes.vertices, scene->prepared.vertices.largest_error);
-  std::printf("  colour             %s\n",
-              scene->prepared.channels == 1 ? "grey: one channel is carried" : "three channels");
-  std::printf("  closed             %s\n", result.is_closed
-                                               ? "yes: back faces are not drawn, no light can escape"
-                                               : "no: back faces block and are counted");
-  std::printf("  span pool          %u used of %u (profile %s, R = %d)\n", result.spans_used,
-              result.plan.sizes.spans, options.bake.profile.c_str(), result.plan.resolution);
-  std::printf(
-      "  shots to %.3g %%     %u, from %u eye points (%u buried ones thrown away), %.2f s on this machine\n",
-      100 * options.bake.unshot, result.shots, result.eyes, result.withdrawn, result.seconds);
-  std::printf(
-      "\n  profile       RAM  chip                         elements  patches      R  RAM used     flash\n");
-  for (const Profile& profile : profiles()) {
-    print_profile(*scene, options.bake, profile);
+  if (info.max_error_percent) {
+    page.wanted = search(options, scene->prepared, *info.max_error_percent / 100);
+    if (page.wanted->need.interrupted) {
+      return kInterrupted;
+    }
   }
-  for (const std::string& line : explain(scene->prepared, result)) {
+  page.profiles = profile_costs(scene->prepared, options.bake);
+  std::fputs(info_text(page).c_str(), stdout);
+  for (const std::string& line : explain(scene->prepared, page.needs.result)) {
     say(options, line);
+  }
+  if (!options.json.empty()) {
+    write_text(options.json, info_json(page).dump(2) + "\n");
   }
   return kDone;
 }

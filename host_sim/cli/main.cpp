@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/cli/info_page.h"
 #include "host_sim/cli/search_options.h"
 #include "host_sim/cli/session.h"
 
@@ -71,6 +72,8 @@ int run(int argc, char** argv) {
   CLI::App* info = app.add_subcommand("info", "What a scene needs and what it costs on each profile");
   add_scene_options(*info, options);
   add_solver_options(*info, options);
+  InfoOptions info_options;
+  add_info_options(*info, options, info_options);
 
   Choices choices;
   CLI::App* sweep =
@@ -116,7 +119,7 @@ int run(int argc, char** argv) {
   if (tune->parsed()) {
     return run_tune(options, wish, argv[0]);
   }
-  return factors->parsed() ? run_form_factors(options) : run_info(options);
+  return factors->parsed() ? run_form_factors(options) : run_info(options, info_options);
 }
 
 }  // namespace

@@ -45,7 +45,6 @@ int run_bake(const CommonOptions& options);
 int run_compare(const CommonOptions& options);
 int run_export(const CommonOptions& options);
 int run_form_factors(const CommonOptions& options);
-int run_info(const CommonOptions& options);
 int run_truth(const CommonOptions& options);
 
 }  // namespace fixrad::host

@@ -50,16 +50,5 @@ TEST(Compare, RefusesWhatCannotBeReplayed) {
   EXPECT_EQ(lines_of(run.err).size(), 1u);
 }
 
-TEST(Info, SaysWhatTheSceneNeedsOnEachProfile) {
-  const Outcome run = run_tool({"info", sample_scene("colonnade"), "--profile", "small"});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.out, HasSubstr("span pool"));
-  EXPECT_THAT(run.out, HasSubstr("grey: one channel"));
-  for (const char* profile : {"tiny", "small", "medium", "large"}) {
-    EXPECT_THAT(run.out, HasSubstr("\n  " + std::string(profile) + " "));
-  }
-  EXPECT_THAT(run.out, HasSubstr("does not fit"));  // 58 faces on 6 KB
-}
-
 }  // namespace
 }  // namespace fixrad::host::testing
