@@ -33,6 +33,7 @@ int run(int argc, char** argv) {
       app.add_subcommand("bake", "Solve a scene with the fixed-point core and write its lighting");
   add_scene_options(*bake, options);
   add_solver_options(*bake, options);
+  add_display_options(*bake, options);
   bake->add_option("-o,--output", options.outputs, "File to write, by its suffix; may be given several times")
       ->check(output_suffix({".hpp", ".glb", ".ply", ".png", ".csv", ".json"}))
       ->expected(1)

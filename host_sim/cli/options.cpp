@@ -104,4 +104,20 @@ void add_solver_options(CLI::App& command, CommonOptions& options) {
   command.add_flag("--ambient", bake.ambient, "Add the ambient estimate of the unshot rest to the result");
 }
 
+void add_display_options(CLI::App& command, CommonOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "--display", [&options](const std::string& how) { options.gathers_display = how == "gather"; },
+          "Vertex colours by a gather at each vertex, on a mesh cut where the light bends, or by the mean of "
+          "the elements round it")
+      ->check(CLI::IsMember({"gather", "mean"}))
+      ->default_str("gather");
+  command
+      .add_option("--display-edge", options.display_mesh.shortest_edge,
+                  "Cut no displayed edge shorter than this part of the scene's longest side; 1: show the "
+                  "corners of the elements only")
+      ->check(CLI::Range(1.0 / 1024, 1.0))
+      ->capture_default_str();
+}
+
 }  // namespace fixrad::host
