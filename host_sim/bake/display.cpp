@@ -81,7 +81,7 @@ class DisplayBuilder {
         return false;
       }
       tbb::parallel_for(begin, std::min(places.size(), begin + kBatch), [&](std::size_t i) {
-        lights[i] = gatherer_.gather(gather_points(result_.device, places[i].position, places[i].elements));
+        lights[i] = gatherer_.gather(vertex_gather(result_.device, places[i].position, places[i].elements));
       });
     }
     return true;

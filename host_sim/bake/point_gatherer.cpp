@@ -59,10 +59,11 @@ PointGatherer::PointGatherer(const BakeResult& result) : impl_(std::make_unique<
 
 PointGatherer::~PointGatherer() = default;
 
-VertexLight PointGatherer::gather(const std::vector<GatherPoint>& points) const {
+VertexLight PointGatherer::gather(const VertexGather& vertex) const {
   VertexLight light = {};
-  const Status status = gather_vertex(impl_->state(), *lune_table(kLunesOfGather), points.data(),
-                                      static_cast<std::uint8_t>(points.size()), impl_->ambient, light);
+  const Status status =
+      gather_vertex(impl_->state(), *lune_table(kLunesOfGather), vertex.points.data(),
+                    static_cast<std::uint8_t>(vertex.points.size()), vertex.enough, impl_->ambient, light);
   if (status != Status::ok) {
     throw std::runtime_error(std::string("a gather at a vertex failed: ") + describe(status));
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host_sim/bake/bake.h"
+#include "host_sim/meshing/gather_points.h"
 
 namespace fixrad::host {
 
@@ -20,8 +21,7 @@ class PointGatherer {
   PointGatherer(const PointGatherer&) = delete;
   PointGatherer& operator=(const PointGatherer&) = delete;
 
-  /// @param points  1..255, of one material
-  VertexLight gather(const std::vector<GatherPoint>& points) const;
+  VertexLight gather(const VertexGather& vertex) const;
 
   /// W/m^2, always three channels.
   glm::dvec3 physical(const Radiosity (&of)[kMaxChannels]) const;

@@ -46,6 +46,7 @@ int run(int argc, char** argv) {
   add_scene_options(*compare, options);
   add_solver_options(*compare, options);
   compare->add_option("--json", options.json, "Write the figures to this file too");
+  add_point_options(*compare, options);
 
   CLI::App* exported =
       app.add_subcommand("export", "Solve a scene and write it for a firmware to solve again");

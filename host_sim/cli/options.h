@@ -30,7 +30,10 @@ struct CommonOptions {
   std::string json;
   std::string csv;
   std::uint32_t paths = 4000000;  ///< of the path-traced truth
-  bool gathers_display = true;    ///< vertex colours by a gather, else the mean round each vertex
+  std::uint32_t points = 0;       ///< that compare measures irradiance at
+  std::string points_truth;       ///< file of the truth there
+  bool points_only = false;
+  bool gathers_display = true;  ///< vertex colours by a gather, else the mean round each vertex
   DisplayOptions display_mesh;
 };
 
@@ -42,6 +45,9 @@ void add_solver_options(CLI::App& command, CommonOptions& options);
 
 /// Adds the options that choose how vertex colours are made.
 void add_display_options(CLI::App& command, CommonOptions& options);
+
+/// Adds the options on irradiance at points.
+void add_point_options(CLI::App& command, CommonOptions& options);
 
 /// Adds --quiet.
 void add_quiet(CLI::App& command, CommonOptions& options);

@@ -15,6 +15,9 @@ constexpr double kInset = 24;
 constexpr double kHalfWay = 0.5;
 constexpr std::size_t kMostPoints = 16;  // as many as there are turns
 
+constexpr std::size_t kEnough = 2;
+constexpr double kFlat = 0.9998;  // cosine of about one degree
+
 constexpr double kLeastLift = 2;  // quarters of a grid unit, as an element's eye has
 constexpr double kMostLift = 40;
 
@@ -47,17 +50,25 @@ GatherPoint gather_point(const DeviceScene& device, std::uint16_t element, glm::
   return point;
 }
 
-std::vector<GatherPoint> gather_points(const DeviceScene& device, glm::dvec3 position,
-                                       const std::vector<std::uint16_t>& elements) {
+VertexGather vertex_gather(const DeviceScene& device, glm::dvec3 position,
+                           const std::vector<std::uint16_t>& elements) {
   const std::size_t count = std::min(elements.size(), kMostPoints);
-  std::vector<GatherPoint> points;
-  for (std::size_t i = 0; i < count; ++i) {
-    points.push_back(gather_point(device, elements[i * elements.size() / count], position));
+  const glm::dvec3 normal = device.mesh.elements[elements.front()].normal;
+  bool is_flat = true;
+  VertexGather gather;
+  // Every other element first: two that are opposite rather than neighbours.
+  for (const std::size_t start : {std::size_t{0}, std::size_t{1}}) {
+    for (std::size_t i = start; i < count; i += 2) {
+      const std::uint16_t e = elements[i * elements.size() / count];
+      gather.points.push_back(gather_point(device, e, position));
+      is_flat = is_flat && glm::dot(device.mesh.elements[e].normal, normal) > kFlat;
+    }
   }
-  if (points.size() == 1) {
-    points.push_back(points.front());
+  if (count == 1) {
+    gather.points.push_back(gather.points.front());
   }
-  return points;
+  gather.enough = static_cast<std::uint8_t>(is_flat ? kEnough : gather.points.size());
+  return gather;
 }
 
 }  // namespace fixrad::host

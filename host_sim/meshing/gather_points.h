@@ -13,10 +13,16 @@ namespace fixrad::host {
 /// @param position  scene unit, in the element or on its border
 GatherPoint gather_point(const DeviceScene& device, std::uint16_t element, glm::dvec3 position);
 
-/// The gather points of a displayed vertex: one in each of the `elements` that meet there (a fair choice of
-/// 16 where there are more), twice the same where it is one, so that at least two turns of the axis are
-/// averaged.
-std::vector<GatherPoint> gather_points(const DeviceScene& device, glm::dvec3 position,
-                                       const std::vector<std::uint16_t>& elements);
+/// How a displayed vertex gathers: the arguments of gather_vertex().
+struct VertexGather {
+  std::vector<GatherPoint> points;
+  std::uint8_t enough = 1;  ///< clear points
+};
+
+/// One point in each of the `elements` that meet in a displayed vertex (a fair choice of 16 where there are
+/// more). Two clear ones are enough, and are the same twice where there is one element, so that two turns of
+/// the axis are averaged; where the surface is curved every point counts.
+VertexGather vertex_gather(const DeviceScene& device, glm::dvec3 position,
+                           const std::vector<std::uint16_t>& elements);
 
 }  // namespace fixrad::host

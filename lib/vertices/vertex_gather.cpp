@@ -27,11 +27,11 @@ Status gather_if_clear(State& state, const DeltaTable& table, const EyePoint& ey
 }  // namespace
 
 Status gather_vertex(State& state, const DeltaTable& table, const FIXRAD_FLASH GatherPoint* points,
-                     uint8_t count, const Radiosity* ambient, VertexLight& light) {
+                     uint8_t count, uint8_t enough, const Radiosity* ambient, VertexLight& light) {
   const Scene& scene = state.scene;
   uint64_t sum[kMaxChannels] = {0, 0, 0};
   light.clear_points = 0;
-  for (uint8_t i = 0; i < count; ++i) {
+  for (uint8_t i = 0; i < count && light.clear_points < enough; ++i) {
     const GatherPoint point = flash_read(points, i);
     const uint16_t face = flash_at(scene.elements, point.element).face;
     const EyePoint eye = {vec(point.position), face, static_cast<uint8_t>(i % kTurns)};

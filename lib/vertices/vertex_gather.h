@@ -17,18 +17,18 @@ struct GatherPoint {
 struct VertexLight {
   Radiosity irradiance[kMaxChannels];
   Radiosity radiosity[kMaxChannels];
-  uint8_t clear_points;  ///< the gather points that stand in nothing; 0: all light is 0
+  uint8_t clear_points;  ///< how many points it is the mean of; 0: all are buried, and all light is 0
 };
 
 /// Radiosity at a vertex by a gather there (Cohen & Wallace 1993, section 10.3.2), in place of the mean round
-/// it: emission + reflectance x the mean irradiance of its `points` [count, 1..255], which lie on elements of
-/// one material. Points that stand in or under something (settings.probe) are left out: beside a contact only
-/// the lit side counts. Nothing is extrapolated, so the result is at least the emission and at most what the
-/// brightest element would give by itself; the means round down, the products too. `table`: for the solver's
-/// engine; each point has its own turn of the axis, the first point turn 0, so that a vertex depends on
-/// nothing but the solution. `ambient` [channels] as in gather_irradiance(), whose scratch memory and
-/// statuses these are. Cost: a probe and a view a point.
+/// it: emission + reflectance x the mean irradiance of the first `enough` of its `points` [count, 1..255]
+/// that are clear. They lie on elements of one material. Points that stand in or under something
+/// (settings.probe) are left out: beside a contact only the lit side counts. Nothing is extrapolated, so the
+/// result is at least the emission and at most what the brightest element would give by itself; the means
+/// round down, the products too. `table`: for the solver's engine; each point has its own turn of the axis,
+/// the first point turn 0, so that a vertex depends on nothing but the solution. `ambient` [channels] as in
+/// gather_irradiance(), whose scratch memory and statuses these are. Cost: a probe and a view a point.
 Status gather_vertex(State& state, const DeltaTable& table, const FIXRAD_FLASH GatherPoint* points,
-                     uint8_t count, const Radiosity* ambient, VertexLight& light);
+                     uint8_t count, uint8_t enough, const Radiosity* ambient, VertexLight& light);
 
 }  // namespace fixrad
