@@ -21,6 +21,7 @@
 #include "lib/transport/shooting.h"
 #include "lib/transport/unshot.h"
 #include "lib/vertices/digest.h"
+#include "lib/vertices/vertex_gather.h"
 #include "lib/vertices/vertex_radiosity.h"
 
 namespace fixrad {

@@ -87,6 +87,7 @@ void read_out(const State& state, bool with_ambient, BakeResult& result) {
   Radiosity ambient[kMaxChannels] = {};
   for (int c = 0; c < channels; ++c) {
     ambient[c] = with_ambient ? ambient_radiosity(state, c) : Radiosity::from_raw(0);
+    result.ambient[static_cast<std::size_t>(c)] = ambient[c];
     result.ledger.push_back(ledger(state, c));
   }
   const double unit = result.device.unit_radiosity;
@@ -101,7 +102,7 @@ void read_out(const State& state, bool with_ambient, BakeResult& result) {
   }
   const std::size_t received = std::size_t{state.scene.element_count} * state.scene.channels;
   result.received.assign(state.received, state.received + received);
-  result.digest = digest(state, map);
+  result.digest = result.display_digest = digest(state, map);
   result.shots = state.shots;
   result.eyes = state.eyes;
   result.withdrawn = state.withdrawn;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <glm/vec3.hpp>
@@ -66,7 +67,11 @@ struct BakeResult {
   std::uint32_t shots = 0, eyes = 0, withdrawn = 0, gaps_closed = 0, spans_used = 0;
   double seconds = 0;  ///< of the solver alone
   double unshot_fraction = 0;
-  std::uint64_t digest = 0;
+  std::uint64_t digest = 0;                          ///< of the solution and the means round its vertices
+  std::array<Radiosity, kMaxChannels> ambient = {};  ///< added to the results; 0 unless asked for
+  std::string display = "mean";      ///< how vertex_radiosity was made: mean | gather (gather_display())
+  double display_seconds = 0;        ///< of gather_display()
+  std::uint64_t display_digest = 0;  ///< as digest, of what is displayed
   bool is_closed = false;
   bool interrupted = false;
 };

@@ -63,6 +63,9 @@ nlohmann::ordered_json measured(const LoadedScene& scene, const CommonOptions& o
           {"quantisation_error", scene.prepared.vertices.largest_error},
           {"unshot_fraction", result.unshot_fraction},
           {"digest", hex(result.digest)},
+          {"display", result.display},
+          {"display_seconds", result.display_seconds},
+          {"display_digest", hex(result.display_digest)},
           {"ledger", ledger}};
 }
 
@@ -102,7 +105,12 @@ std::string summary(const BakeResult& result) {
        << result.plan.meshing.patch_count << " patches, " << result.shots
        << (result.plan.matrix_bytes > 0 ? " sweeps, " : " shots, ") << 100 * result.unshot_fraction
        << " % unshot, " << result.seconds << " s, " << result.plan.ram() << " bytes of RAM, digest "
-       << hex(result.digest);
+       << hex(result.digest) << "; " << result.surface.positions.size() << " vertices, ";
+  if (result.display == "gather") {
+    text << "each gathered, in " << result.display_seconds << " s";
+  } else {
+    text << "each the mean round it";
+  }
   return text.str();
 }
 
@@ -117,9 +125,13 @@ int run_bake(const CommonOptions& options) {
   BakeResult result;
   {
     ProgressBar bar(options);
-    result = bake(scene->prepared, options.bake, [&](std::uint32_t shots, double unshot, double seconds) {
+    const auto progress = [&](std::uint32_t shots, double unshot, double seconds) {
       return bar.update(shots, unshot, seconds);
-    });
+    };
+    result = bake(scene->prepared, options.bake, progress);
+    if (options.gathers_display && !result.interrupted) {
+      result.interrupted = !gather_display(result, options.display_mesh, progress);
+    }
   }
   for (const std::string& line : explain(scene->prepared, result)) {
     say(options, line);

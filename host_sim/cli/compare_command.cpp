@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "host_sim/cli/compare_points.h"
 #include "host_sim/cli/session.h"
 #include "host_sim/reference/error_budget.h"
 #include "host_sim/reference/form_factors.h"
@@ -108,12 +109,15 @@ void print(const LoadedScene& scene, const BakeResult& result, const Budget& bud
       budget.truth.seconds, 100 * budget.truth.standard_error, 100 * budget.references.mean);
 }
 
-nlohmann::ordered_json to_json(const Model& model, const BakeResult& result, const Budget& budget) {
+nlohmann::ordered_json plan_json(const BakeResult& result) {
+  return {{"profile", result.plan.profile.name},
+          {"resolution", result.plan.resolution},
+          {"elements", result.plan.sizes.elements}};
+}
+
+nlohmann::ordered_json to_json(const Model& model, const Budget& budget) {
   const RefinedRadiosity& refined = budget.refined;
-  nlohmann::ordered_json json = {{"profile", result.plan.profile.name},
-                                 {"resolution", result.plan.resolution},
-                                 {"elements", result.plan.sizes.elements},
-                                 {"truth_standard_error", budget.truth.standard_error},
+  nlohmann::ordered_json json = {{"truth_standard_error", budget.truth.standard_error},
                                  {"truth_seconds", budget.truth.seconds}};
   for (const Line& line : budget.lines) {
     const std::size_t face = line.error.worst_face;
@@ -186,6 +190,7 @@ int run_compare(const CommonOptions& options) {
     throw InputError("fixrad: error: compare replays shots; leave out --solver gathering");
   }
   check_folder(options.json);
+  check_folder(options.points_truth);
   const auto scene = load_scene(options);
   std::unique_ptr<Recorder> recorder;
   const auto start_recorder = [&](const State& state) {
@@ -205,11 +210,20 @@ int run_compare(const CommonOptions& options) {
     return kInterrupted;
   }
   exit_on_interrupt();
-  const Budget budget = measure(*scene, options, result, *recorder);
+  nlohmann::ordered_json json = plan_json(result);
+  if (!options.points_only) {
+    const Budget budget = measure(*scene, options, result, *recorder);
+    print(*scene, result, budget);
+    json.update(to_json(scene->model, budget));
+  }
+  if (options.points > 0) {
+    const PointBudget points = measure_points(*scene, options, result);
+    print(points);
+    json["points"] = to_json(points);
+  }
   catch_interrupt();
-  print(*scene, result, budget);
   if (!options.json.empty()) {
-    write_text(options.json, to_json(scene->model, result, budget).dump(2) + "\n");
+    write_text(options.json, json.dump(2) + "\n");
   }
   return kDone;
 }

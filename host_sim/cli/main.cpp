@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
       app.add_subcommand("bake", "Solve a scene with the fixed-point core and write its lighting");
   add_scene_options(*bake, options);
   add_solver_options(*bake, options);
+  add_display_options(*bake, options);
   bake->add_option("-o,--output", options.outputs, "File to write, by its suffix; may be given several times")
       ->check(output_suffix({".hpp", ".glb", ".ply", ".png", ".csv", ".json"}))
       ->expected(1)
@@ -46,6 +47,7 @@ int run(int argc, char** argv) {
   add_scene_options(*compare, options);
   add_solver_options(*compare, options);
   compare->add_option("--json", options.json, "Write the figures to this file too");
+  add_point_options(*compare, options);
 
   CLI::App* exported =
       app.add_subcommand("export", "Solve a scene and write it for a firmware to solve again");

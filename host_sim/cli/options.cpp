@@ -111,4 +111,43 @@ void add_solver_options(CLI::App& command, CommonOptions& options) {
   command.add_flag("--ambient", bake.ambient, "Add the ambient estimate of the unshot rest to the result");
 }
 
+namespace {
+
+void add_display_edge(CLI::App& command, CommonOptions& options) {
+  command
+      .add_option("--display-edge", options.display_mesh.shortest_edge,
+                  "Cut no displayed edge shorter than this part of the scene's longest side; 1: show the "
+                  "corners of the elements only")
+      ->check(CLI::Range(1.0 / 1024, 1.0))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_display_options(CLI::App& command, CommonOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "--display", [&options](const std::string& how) { options.gathers_display = how == "gather"; },
+          "Vertex colours by a gather at each vertex, on a mesh cut where the light bends, or by the mean of "
+          "the elements round it")
+      ->check(CLI::IsMember({"gather", "mean"}))
+      ->default_str("gather");
+  add_display_edge(command, options);
+}
+
+void add_point_options(CLI::App& command, CommonOptions& options) {
+  CLI::Option* points = command
+                            .add_option("--points", options.points,
+                                        "Also compare the irradiance at so many points of surfaces, from "
+                                        "elements, vertex colours and gathers")
+                            ->check(CLI::Range(1u, 1000000u));
+  command
+      .add_option("--points-truth", options.points_truth,
+                  "JSON file to read the path-traced truth at the points from; written if it does not exist")
+      ->needs(points);
+  command.add_flag("--points-only", options.points_only, "Leave out the error budget of face means")
+      ->needs(points);
+  add_display_edge(command, options);
+}
+
 }  // namespace fixrad::host

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host_sim/bake/bake.h"
+#include "host_sim/bake/display.h"
 #include "host_sim/io/obj_reader.h"
 #include "host_sim/report/baked_mesh.h"
 
@@ -29,6 +30,11 @@ struct CommonOptions {
   std::string json;
   std::string csv;
   std::uint32_t paths = 4000000;  ///< of the path-traced truth
+  std::uint32_t points = 0;       ///< that compare measures irradiance at
+  std::string points_truth;       ///< file of the truth there
+  bool points_only = false;
+  bool gathers_display = true;  ///< vertex colours by a gather, else the mean round each vertex
+  DisplayOptions display_mesh;
 };
 
 /// Adds the scene argument and the options on reading it.
@@ -36,6 +42,12 @@ void add_scene_options(CLI::App& command, CommonOptions& options);
 
 /// Adds the options that choose a solution.
 void add_solver_options(CLI::App& command, CommonOptions& options);
+
+/// Adds the options that choose how vertex colours are made.
+void add_display_options(CLI::App& command, CommonOptions& options);
+
+/// Adds the options on irradiance at points.
+void add_point_options(CLI::App& command, CommonOptions& options);
 
 /// Adds --quiet.
 void add_quiet(CLI::App& command, CommonOptions& options);

@@ -241,6 +241,8 @@ class SurfaceBuilder {
         }
       }
       mesh_.triangles.insert(mesh_.triangles.end(), best.begin(), best.end());
+      mesh_.triangle_elements.insert(mesh_.triangle_elements.end(), best.size(),
+                                     static_cast<std::uint16_t>(e));
     }
   }
 

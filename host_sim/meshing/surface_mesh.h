@@ -16,8 +16,9 @@ struct SurfaceMesh {
   std::vector<glm::dvec3> positions;  ///< scene unit
   std::vector<glm::dvec3> normals;    ///< unit
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<MeshVertex> vertices;     ///< [positions]
-  std::vector<std::uint16_t> elements;  ///< pointed into by vertices
+  std::vector<std::uint16_t> triangle_elements;  ///< [triangles] the element that each is a part of
+  std::vector<MeshVertex> vertices;              ///< [positions]
+  std::vector<std::uint16_t> elements;           ///< pointed into by vertices
 
   VertexMap map() const {
     return {vertices.data(), elements.data(), static_cast<std::uint32_t>(vertices.size())};

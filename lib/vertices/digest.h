@@ -9,4 +9,9 @@ namespace fixrad {
 /// channel, each as four bytes, least significant first. Equal digests: the same solution, bit for bit.
 uint64_t digest(const State& state, const VertexMap& map);
 
+/// The same with radiosities that stand in place of the mean round each vertex, such as gather_vertex()
+/// gives.
+/// @param displayed  [count], vertex by vertex, the scene's channels of each
+uint64_t digest(const State& state, const Radiosity* displayed, uint32_t count);
+
 }  // namespace fixrad
