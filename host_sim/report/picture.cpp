@@ -18,8 +18,6 @@ constexpr int kSamplesPerSide = 4;
 constexpr int kLargestSide = 16384;
 /// Picture rows that are drawn at a time, which bounds the memory for samples.
 constexpr int kBandRows = 16;
-/// Linear display value of the background: dark and neutral, yet not the black of an unlit surface.
-constexpr double kBackground = 0.012;
 /// The near plane, as a part of the diagonal of the mesh's box.
 constexpr double kNearShare = 1e-5;
 

@@ -10,6 +10,9 @@
 
 namespace fixrad::host {
 
+/// Linear display value of the background: dark and neutral, yet not the black of an unlit surface.
+inline constexpr double kBackground = 0.012;
+
 /// 8-bit sRGB pixels, rows from the top, three bytes a pixel.
 struct Image {
   int width = 0;

@@ -9,6 +9,8 @@ namespace {
 // 2/pi, UQ0.32: an area counts eighths of a square grid unit, distances here quarters of a unit.
 constexpr uint32_t kTwoOverPi = 2734261102ul;
 
+constexpr int kGainBits = 20;
+
 int32_t cosine(const Vec3& a, const Vec3& b) {
   const int64_t sum =
       static_cast<int64_t>(a.x) * b.x + static_cast<int64_t>(a.y) * b.y + static_cast<int64_t>(a.z) * b.z;
@@ -44,12 +46,12 @@ uint64_t square(Vec3 a) {
          wide_product(magnitude(a.z), magnitude(a.z));
 }
 
-// A cos cos' / (pi r^2), UQ0.16, at most 1.
+// A cos cos' / (pi r^2), UQ0.32, below 1.
 uint32_t arriving_part(const PictureLamp& lamp, Vec3 way, int32_t at_surface, int32_t at_lamp) {
   const uint32_t cosines = mul_high(unsigned_cosine(at_surface), unsigned_cosine(at_lamp)) >> 16;
   const uint64_t numerator = wide_product(mul_high(lamp.area, kTwoOverPi), cosines);
-  const uint64_t part = numerator / (square(way) | 1u);
-  return part > 0xffffu ? 0xffffu : static_cast<uint32_t>(part);
+  const uint64_t part = (numerator << 16) / (square(way) | 1u);
+  return part > 0xffffffffu ? 0xffffffffu : static_cast<uint32_t>(part);
 }
 
 struct Point {
@@ -57,7 +59,7 @@ struct Point {
   Vec3 normal, mirrored;  // Q1.30
 };
 
-// What of a lamp's radiosity, times Ks, is seen: UQ16.16.
+// What of a lamp's radiosity, times Ks, is seen: UQ12.20.
 uint32_t gain_of(const PictureLamp& lamp, const Point& point, uint16_t exponent) {
   const Vec3 way = vec(lamp.at) - point.at;
   const Vec3 to_lamp = unit_vector(way);
@@ -73,7 +75,7 @@ uint32_t gain_of(const PictureLamp& lamp, const Point& point, uint16_t exponent)
   const uint32_t part = arriving_part(lamp, way, at_surface, at_lamp);
   const uint32_t shape =
       (power(unsigned_cosine(lobe), exponent) >> 16) * (static_cast<uint32_t>(exponent) + 2u) / 2u;
-  return static_cast<uint32_t>(wide_product(part, shape) >> 16);
+  return static_cast<uint32_t>(wide_product(part, shape) >> (32 + 16 - kGainBits));
 }
 
 }  // namespace
@@ -93,7 +95,7 @@ void add_highlights(const PictureScene& scene, const PictureMaterial& material, 
     const uint32_t gain = gain_of(lamp, point, material.exponent);
     for (uint8_t c = 0; c < scene.channels; ++c) {
       const uint64_t shown = static_cast<uint64_t>(lamp.light[c]) * material.specular[c] >> 16;
-      const uint64_t sum = light[c] + (wide_product(static_cast<uint32_t>(shown), gain) >> 16);
+      const uint64_t sum = light[c] + (wide_product(static_cast<uint32_t>(shown), gain) >> kGainBits);
       light[c] = static_cast<uint16_t>(sum > kLightMax ? kLightMax : sum);
     }
   }

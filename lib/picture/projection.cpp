@@ -6,11 +6,11 @@ namespace {
 
 // Beyond this many picture widths from the middle triangles are cut off; wide enough that few ever are.
 constexpr uint32_t kGuardWidths = 1;
-constexpr int kGuardBits = 12;
+constexpr int kGuardFraction = 12;
 
 uint32_t guard_tangent(uint16_t side, uint32_t focal) {
   const uint64_t pixels = static_cast<uint64_t>(kGuardWidths) * side + 1u;
-  const uint64_t tangent = (pixels << (kPixelBits + kGuardBits)) / focal + 1u;
+  const uint64_t tangent = (pixels << (kPixelBits + kGuardFraction)) / focal + 1u;
   return tangent > 0xffffffu ? 0xffffffu : static_cast<uint32_t>(tangent);
 }
 

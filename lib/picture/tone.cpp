@@ -8,7 +8,7 @@ struct Curve {
   uint32_t gain, lift;
 };
 
-uint32_t along(uint32_t from, uint32_t to, uint32_t part, int bits) {
+uint32_t on_curve(uint32_t from, uint32_t to, uint32_t part, int bits) {
   const int32_t way = static_cast<int32_t>(to) - static_cast<int32_t>(from);
   return static_cast<uint32_t>(static_cast<int32_t>(from) +
                                floor_shift(way * static_cast<int32_t>(part), bits));
@@ -24,7 +24,7 @@ Curve curve_at(uint32_t peak) {
   const unsigned point = static_cast<unsigned>(octave) * 16u + static_cast<unsigned>(step);
   const TonePoint low = flash_read(kToneCurve, point), high = flash_read(kToneCurve, point + 1);
   const uint32_t part = peak & ((static_cast<uint32_t>(1) << bits) - 1u);
-  return {along(low.gain, high.gain, part, bits), along(low.lift, high.lift, part, bits)};
+  return {on_curve(low.gain, high.gain, part, bits), on_curve(low.lift, high.lift, part, bits)};
 }
 
 uint8_t srgb(uint32_t linear) {
