@@ -14,8 +14,8 @@
 namespace fixrad::host {
 namespace {
 
-constexpr double kTouch = 0.9;  // grid units: what belongs together is rounded apart by less
-constexpr int kCell = 256;      // grid units, of the index of points
+constexpr double kTouch = 0.75;  // grid units: what belongs together lies closer before it is rounded
+constexpr int kCell = 256;       // grid units, of the index of points
 
 using Cell = std::tuple<int, int, int>;
 
@@ -42,13 +42,14 @@ class Points {
     return found;
   }
 
-  // Points strictly between a and b on their line, by their part of the way.
+  // Points strictly between two others on their line (as they were before rounding), by their part of the
+  // way.
   std::vector<std::pair<double, glm::ivec3>> between(glm::ivec3 a, glm::ivec3 b) const {
     std::vector<std::pair<double, glm::ivec3>> result;
-    const glm::dvec3 from(a), way(b - a);
+    const glm::dvec3 from = exact(a), way = exact(b) - from;
     for_cells(glm::max(glm::min(a, b) - 1, glm::ivec3(0)), glm::max(a, b) + 1,
               [&](const std::pair<glm::ivec3, glm::dvec3>& known) {
-                const glm::dvec3 offset = glm::dvec3(known.first) - from;
+                const glm::dvec3 offset = known.second - from;
                 const double part = glm::dot(offset, way) / glm::dot(way, way);
                 if (known.first != a && known.first != b && part > 0 && part < 1 &&
                     glm::length(offset - part * way) < kTouch) {
@@ -60,6 +61,12 @@ class Points {
   }
 
  private:
+  glm::dvec3 exact(glm::ivec3 point) const {
+    const auto& cell = cells_.at(cell_of(point));
+    return std::find_if(cell.begin(), cell.end(), [&](const auto& known) { return known.first == point; })
+        ->second;
+  }
+
   template <class Visit>
   void for_cells(glm::ivec3 low, glm::ivec3 high, const Visit& visit) const {
     for (int x = low.x / kCell; x <= high.x / kCell; ++x) {

@@ -10,6 +10,7 @@
 #include "host_sim/report/mesh_check.h"
 #include "host_sim/report/rasterizer.h"
 #include "host_sim/report/tone.h"
+#include "host_sim/report/view_dependent.h"
 
 namespace fixrad::host {
 namespace {
@@ -68,16 +69,20 @@ Image render_picture(const BakedMesh& mesh, const Display& display, const Pictur
   const Camera camera = options.camera ? *options.camera : automatic_camera(mesh, display.z_up, aspect);
   const Projection projection(camera, display.z_up, options.width * kSamplesPerSide,
                               options.height * kSamplesPerSide);
-  const std::vector<ScreenTriangle> triangles = visible_triangles(mesh, projection, near_distance(mesh));
   const double scale = exposure_scale(mesh, display);
+  const double nearest = near_distance(mesh);
+  std::vector<std::uint32_t> sources;
+  const std::vector<ScreenTriangle> triangles = visible_triangles(mesh, projection, nearest, &sources);
+  const ViewDependent extras(mesh, projection, nearest, glm::dvec3(kBackground / scale));
   Image image{options.width, options.height, {}};
   SampleBand band;
   for (int y = 0; y < options.height; y += kBandRows) {
     const int rows = std::min(kBandRows, options.height - y);
     band.clear(options.width * kSamplesPerSide, y * kSamplesPerSide, rows * kSamplesPerSide);
-    for (const ScreenTriangle& triangle : triangles) {
-      draw(triangle, band);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      draw(triangles[i], band, sources[i]);
     }
+    extras.add(band);
     resolve(band, scale, image);
   }
   return image;

@@ -4,22 +4,25 @@
 namespace fixrad {
 namespace {
 
+// Bits kept between two points of the curve, so that it rises wherever the curve in double does.
+constexpr int kMoreBits = 4;
+
 struct Curve {
-  uint32_t gain, lift;
+  uint32_t gain, lift;  // with kMoreBits more than the points: UQ1.19, UQ0.20
 };
 
 uint32_t on_curve(uint32_t from, uint32_t to, uint32_t part, int bits) {
   const int32_t way = static_cast<int32_t>(to) - static_cast<int32_t>(from);
-  return static_cast<uint32_t>(static_cast<int32_t>(from) +
-                               floor_shift(way * static_cast<int32_t>(part), bits));
+  const int32_t moved = floor_shift(way * static_cast<int32_t>(part), bits - kMoreBits);
+  return static_cast<uint32_t>(static_cast<int32_t>(from << kMoreBits) + moved);
 }
 
 Curve curve_at(uint32_t peak) {
   if (peak < (1ul << kToneLow)) {
-    return {1ul << 15, 0};
+    return {1ul << (15 + kMoreBits), 0};
   }
   const int octave = bit_length(peak) - (kToneLow + 1);
-  const int bits = octave + kToneLow - 4;  // of the position between two points
+  const int bits = octave + kToneLow - 4;  // of the position between two points, 6 .. 11
   const uint32_t step = (peak >> bits) & 15u;
   const unsigned point = static_cast<unsigned>(octave) * 16u + static_cast<unsigned>(step);
   const TonePoint low = flash_read(kToneCurve, point), high = flash_read(kToneCurve, point + 1);
@@ -48,8 +51,8 @@ void display_pixel(const uint16_t* light, uint8_t channels, uint8_t* pixel) {
   }
   const Curve curve = curve_at(peak);
   for (uint8_t c = 0; c < channels; ++c) {
-    // UQ4.12 x UQ1.15 -> UQ0.16.
-    const uint32_t linear = (value[c] * curve.gain >> 11) + curve.lift;
+    // UQ4.12 x UQ1.19 -> 31 bits and a little, since the product is at most the curve -> UQ0.16.
+    const uint32_t linear = ((value[c] * curve.gain >> 11) + curve.lift) >> kMoreBits;
     pixel[c] = srgb(linear > 0xffffu ? 0xffffu : linear);
   }
 }
