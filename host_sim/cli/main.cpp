@@ -37,6 +37,7 @@ int run(int argc, char** argv) {
       ->check(output_suffix({".hpp", ".glb", ".ply", ".png", ".csv", ".json"}))
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_picture_options(*bake, options.picture);
   bake->add_option("--faces-csv", options.faces_csv, "Mean radiosity of every input face, in file order");
   bake->add_flag("--keep-partial", options.keep_partial, "When interrupted, write the solution so far");
 
