@@ -51,6 +51,8 @@ int run(int argc, char** argv) {
       app.add_subcommand("export", "Solve a scene and write it for a firmware to solve again");
   add_scene_options(*exported, options);
   add_solver_options(*exported, options);
+  add_view_options(*exported, options.picture,
+                   "Pixels of a picture that the firmware is to draw, at most 2048 a side");
   exported->add_option("-o,--output", options.outputs, "C++ header to write; its stem names the namespace")
       ->check(output_suffix({".h", ".hpp"}))
       ->expected(1)

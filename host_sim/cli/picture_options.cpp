@@ -51,9 +51,22 @@ void set_size(const std::string& text, PictureChoice& choice) {
   }
   choice.width = static_cast<int>((*n)[0]);
   choice.height = static_cast<int>((*n)[1]);
+  choice.is_sized = true;
 }
 
 }  // namespace
+
+void add_view_options(CLI::App& command, PictureChoice& choice, const char* size_help) {
+  command
+      .add_option_function<std::string>(
+          "--camera", [&choice](const std::string& text) { set_camera(text, choice); },
+          "Where the camera stands, what it looks at, and its vertical field of view in degrees")
+      ->type_name("X,Y,Z,TX,TY,TZ[,FOV]");
+  command
+      .add_option_function<std::string>(
+          "--size", [&choice](const std::string& text) { set_size(text, choice); }, size_help)
+      ->type_name("WIDTHxHEIGHT");
+}
 
 void add_picture_options(CLI::App& command, PictureChoice& choice) {
   command
@@ -63,16 +76,7 @@ void add_picture_options(CLI::App& command, PictureChoice& choice) {
           "face's error against a path-traced truth")
       ->check(CLI::IsMember({"vertex", "radiosity", "mesh", "error"}))
       ->capture_default_str();
-  command
-      .add_option_function<std::string>(
-          "--camera", [&choice](const std::string& text) { set_camera(text, choice); },
-          "Where the camera stands, what it looks at, and its vertical field of view in degrees")
-      ->type_name("X,Y,Z,TX,TY,TZ[,FOV]");
-  command
-      .add_option_function<std::string>(
-          "--size", [&choice](const std::string& text) { set_size(text, choice); }, "Pixels of a .png")
-      ->type_name("WIDTHxHEIGHT")
-      ->default_str("1024x768");
+  add_view_options(command, choice, "Pixels of a .png [1024x768]");
   command
       .add_option("--renderer", choice.renderer,
                   "double: anti-aliased; device: the pixels that the core's renderer draws on a chip")

@@ -12,7 +12,7 @@
 namespace fixrad::host {
 namespace {
 
-constexpr int kReduction = 4;
+constexpr int kThumbnailWidth = 256;
 
 double linear_from_srgb(std::uint8_t code) {
   const double x = code / 255.0;
@@ -44,7 +44,7 @@ constexpr char kStyle[] =
     "body{margin:1.5rem;background:#1c1c1f;color:#ddd;font:15px/1.4 system-ui,sans-serif}"
     "h1{font-size:1.2rem;font-weight:600;margin:0 0 .3rem}p{margin:0 0 1rem;max-width:60em;color:#aaa}"
     "main{display:flex;flex-wrap:wrap;gap:1rem}figure{margin:0}img{display:block;margin-bottom:3px}"
-    "figcaption{display:flex;justify-content:space-between;padding:.1rem 0 "
+    "figcaption{display:flex;justify-content:space-between;gap:1rem;padding:.1rem 0 "
     ".3rem;font-variant-numeric:tabular-"
     "nums}figcaption span{color:#aaa}";
 
@@ -75,13 +75,14 @@ Image thumbnail(const Image& image) {
   for (std::size_t code = 0; code < linear.size(); ++code) {
     linear[code] = linear_from_srgb(static_cast<std::uint8_t>(code));
   }
-  Image small{std::max(1, image.width / kReduction), std::max(1, image.height / kReduction), {}};
+  const int reduction = std::max(1, image.width / kThumbnailWidth);
+  Image small{image.width / reduction, std::max(1, image.height / reduction), {}};
   for (int y = 0; y < small.height; ++y) {
     for (int x = 0; x < small.width; ++x) {
       glm::dvec3 sum(0.0);
       int count = 0;
-      for (int v = kReduction * y; v < std::min(kReduction * (y + 1), image.height); ++v) {
-        for (int u = kReduction * x; u < std::min(kReduction * (x + 1), image.width); ++u, ++count) {
+      for (int v = reduction * y; v < std::min(reduction * (y + 1), image.height); ++v) {
+        for (int u = reduction * x; u < std::min(reduction * (x + 1), image.width); ++u, ++count) {
           const auto at = static_cast<std::size_t>(3 * (v * image.width + u));
           sum += glm::dvec3(linear[image.rgb[at]], linear[image.rgb[at + 1]], linear[image.rgb[at + 2]]);
         }

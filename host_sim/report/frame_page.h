@@ -23,7 +23,8 @@ struct Frame {
 /// pictures are part of the page and lead to the files.
 std::string frame_page(const std::string& scene, const std::vector<Frame>& frames);
 
-/// The picture at a quarter of its size, at least 1 x 1: means of 4 x 4 pixels, in linear light.
+/// The picture about 256 pixels wide, or as it is if it is smaller: means of square blocks of pixels, in
+/// linear light.
 Image thumbnail(const Image& image);
 
 }  // namespace fixrad::host

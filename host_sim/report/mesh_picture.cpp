@@ -16,9 +16,9 @@ namespace {
 /// Half of a border, on its element's side, samples: neighbours together draw a line of one pixel.
 constexpr double kHalfWidth = 0.5 * kPictureSamples;
 constexpr double kOpacity = 0.7;
-/// Linear luminance below which a border is light instead of dark, and how light.
-constexpr double kDarkSurface = 0.06;
-constexpr double kLightBorder = 0.25;
+/// Linear luminance of an element below which its border is light instead of dark, and how light.
+constexpr double kDarkSurface = 0.02;
+constexpr double kLightBorder = 0.12;
 
 double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
   const glm::dvec2 along = b - a;
@@ -32,7 +32,8 @@ class Borders : public Overlay {
   Borders(const BakedMesh& flat, const ElementMesh& elements, std::vector<std::uint32_t> element_of)
       : flat_(flat), elements_(elements), element_of_(std::move(element_of)) {}
 
-  void start_picture(const Projection& projection, double near_distance) override {
+  void start_picture(const Projection& projection, double near_distance, double scale) override {
+    scale_ = scale;
     triangles_ = visible_triangles(flat_, projection, near_distance, &sources_);
     for (const MeshElement& element : elements_.elements) {
       std::vector<glm::dvec2>& outline = outlines_.emplace_back();
@@ -61,14 +62,18 @@ class Borders : public Overlay {
     for (std::size_t k = 0; k < outline.size(); ++k) {
       const glm::dvec2 &a = outline[k], &b = outline[(k + 1) % outline.size()];
       if (a != kBehind && b != kBehind && distance_to_segment(sample, a, b) < kHalfWidth) {
-        const double border = luminance(colour) < kDarkSurface ? kLightBorder : 0.0;
-        return glm::mix(colour, glm::dvec3(border), kOpacity);
+        return glm::mix(colour, glm::dvec3(border_of(band_.source[at])), kOpacity);
       }
     }
     return colour;
   }
 
  private:
+  // One for the whole element, or lines would change from dark to light on their way.
+  double border_of(std::uint32_t element) const {
+    return luminance(tone(flat_.elements[element].radiosity * scale_)) < kDarkSurface ? kLightBorder : 0.0;
+  }
+
   static constexpr double kNowhere = std::numeric_limits<double>::max();
   static inline const glm::dvec2 kBehind{kNowhere, kNowhere};
 
@@ -79,6 +84,7 @@ class Borders : public Overlay {
   std::vector<ScreenTriangle> triangles_;
   std::vector<std::uint32_t> sources_;
   SampleBand band_;
+  double scale_ = 1;
 };
 
 }  // namespace

@@ -17,7 +17,8 @@ class Overlay {
   Overlay& operator=(const Overlay&) = delete;
   virtual ~Overlay() = default;
 
-  virtual void start_picture(const Projection& projection, double near_distance) = 0;
+  /// `scale`: from radiosity to exposed values.
+  virtual void start_picture(const Projection& projection, double near_distance, double scale) = 0;
   /// The band whose samples come next.
   virtual void start_band(const SampleBand& band) = 0;
   /// `colour` (linear display) of the band's sample `at` with the overlay over it.

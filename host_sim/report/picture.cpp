@@ -82,7 +82,7 @@ Image render_overlaid(const BakedMesh& mesh, const Display& display, const Pictu
   std::vector<std::uint32_t> sources;
   const std::vector<ScreenTriangle> triangles = visible_triangles(mesh, projection, nearest, &sources);
   if (overlay != nullptr) {
-    overlay->start_picture(projection, nearest);
+    overlay->start_picture(projection, nearest, scale);
   }
   const ViewDependent extras(mesh, projection, nearest, glm::dvec3(kBackground / scale));
   Image image{options.width, options.height, {}};
