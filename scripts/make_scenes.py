@@ -159,8 +159,9 @@ def mirror_room():
           "lamp")
     inset(shell, side_of(shell, 2, 0), [(900, 500, 0), (3100, 500, 0), (3100, 2000, 0), (900, 2000, 0)], "mirror")
     ball = [(0, 17), (93, 35), (223, 46), (376, 50), (529, 46), (659, 35), (745, 19)]
-    scene.add(shell, frustum("ball", "ball", TWELVE, (1400, 1500), ball, caps="y+", smooth=1),
-              box("box", "lacquer", (2300, 0, 900), (2900, 700, 1500), without="y-"))
+    sphere = frustum("ball", "ball", TWELVE, (1400, 1500), ball, caps="y+", smooth=1)
+    sphere.faces[-1].smooth = 1
+    scene.add(shell, sphere, box("box", "lacquer", (2300, 0, 900), (2900, 700, 1500), without="y-"))
     return scene
 
 

@@ -88,6 +88,12 @@ void add_picture_options(CLI::App& command, PictureChoice& choice) {
           "Folder for the progressive sequence: a picture each doubling of shots, with and without the "
           "ambient estimate, and a page that shows them")
       ->type_name("DIR");
+  command.final_callback([&choice] {
+    if (choice.renderer == "device" && (choice.show == "mesh" || choice.show == "error")) {
+      throw CLI::ValidationError("--renderer",
+                                 "device shows vertex or radiosity; leave out --show " + choice.show);
+    }
+  });
 }
 
 }  // namespace fixrad::host

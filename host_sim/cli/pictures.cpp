@@ -37,9 +37,6 @@ Image make_picture(const CommonOptions& options, const LoadedScene& scene, const
   if (show == "radiosity") {
     return draw_vertices(options, result, flat_mesh(mesh, result.device.mesh), options.display);
   }
-  if (options.picture.renderer == "device") {
-    throw InputError("fixrad: error: --renderer device shows vertex or radiosity; leave out --show " + show);
-  }
   if (show == "mesh") {
     return render_mesh_picture(mesh, result.device.mesh, options.display, options.picture.options());
   }

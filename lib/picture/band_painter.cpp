@@ -87,7 +87,7 @@ bool BandPainter::load(const Projection& projection, const PictureTriangle& tria
 }
 
 bool BandPainter::misses_band(const Projection& projection, const ViewPolygon& polygon) const {
-  int32_t low = INT32_MAX, high = INT32_MIN;
+  int32_t low = 0x7fffffff, high = -0x7fffffff;
   for (uint8_t i = 0; i < polygon.count; ++i) {
     const Vec3 at = polygon.corner[i].at;
     const uint64_t limit = static_cast<uint64_t>(at.z > 0 ? at.z : 0) * projection.guard_y;

@@ -26,6 +26,7 @@ ViewCorner cut(const ViewCorner& kept, int32_t kept_distance, const ViewCorner& 
 }
 
 constexpr uint8_t kViewPlanes = 5;
+constexpr int32_t kMost = 0x7fffffff;
 
 // Signed distance from a plane of the view: 0 near, 1 and 2 left and right, 3 and 4 below and above.
 int32_t view_distance(const Projection& projection, uint8_t plane, Vec3 at) {
@@ -36,7 +37,7 @@ int32_t view_distance(const Projection& projection, uint8_t plane, Vec3 at) {
   const int32_t across = plane < 3 ? at.x : at.y;
   const int64_t limit = (static_cast<int64_t>(at.z) * tangent) >> 12;
   const int64_t distance = (plane & 1) != 0 ? limit + across : limit - across;
-  return distance > INT32_MAX ? INT32_MAX : static_cast<int32_t>(distance);
+  return distance > kMost ? kMost : static_cast<int32_t>(distance);
 }
 
 }  // namespace

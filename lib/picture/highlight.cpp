@@ -80,8 +80,8 @@ uint32_t gain_of(const PictureLamp& lamp, const Point& point, uint16_t exponent)
 
 }  // namespace
 
-void add_highlights(const PictureScene& scene, const PictureMaterial& material, Vec3 at, Vec3 normal,
-                    Vec3 eye, uint16_t* light) {
+void add_highlights(const PictureScene& scene, const PictureMaterial& material, const Vec3& at,
+                    const Vec3& normal, const Vec3& eye, uint16_t* light) {
   Point point;
   point.at = {at.x * kEyeScale, at.y * kEyeScale, at.z * kEyeScale};
   point.normal = unit_vector(normal);

@@ -14,7 +14,7 @@ namespace fixrad {
 /// radiosity B and area A taken as a point. Nothing stands between lamps and surfaces here. `at`, `eye`: grid
 /// units, within 17 bits of each other; `normal`: of any length > 0, components of 16 bits. Cost, a lamp: a
 /// unit vector (18 wide products), a 64-bit division, and 2 log2(exponent) wide products.
-void add_highlights(const PictureScene& scene, const PictureMaterial& material, Vec3 at, Vec3 normal,
-                    Vec3 eye, uint16_t* light);
+void add_highlights(const PictureScene& scene, const PictureMaterial& material, const Vec3& at,
+                    const Vec3& normal, const Vec3& eye, uint16_t* light);
 
 }  // namespace fixrad
