@@ -26,6 +26,7 @@ list='
 cornell tiny --elements 120 --flux-per-row 0.00055
 cornell small
 cornell_quick=cornell small --elements 250 --flux-per-row 0.00045 --flux-per-eye 0.3
+cornell_picture=cornell tiny --elements 120 --flux-per-row 0.00055 --size 64x48
 cornell medium --elements 500
 cornell large --elements 1000
 cornell_grey tiny

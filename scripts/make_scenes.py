@@ -17,7 +17,7 @@ sys.dont_write_bytecode = True  # leaves nothing behind in scripts/
 
 from furnished_room import furnished_room
 from scene_check import check
-from scene_model import Face, Part, Scene, box, inset, placed, room, triangle_count
+from scene_model import TWELVE, Face, Part, Scene, box, frustum, inset, placed, room, triangle_count
 from scene_writer import files_of
 
 SCENES = pathlib.Path(__file__).resolve().parent.parent / "scenes"
@@ -161,6 +161,25 @@ def gap():
     return scene
 
 
+def mirror_room():
+    """A mirror on the wall, a shiny ball and a lacquered box: what pictures show beside diffuse light."""
+    scene = Scene("mirror_room", "Room with a mirror, a shiny ball and a lacquered box", {
+        "wall": ((0.75, 0.72, 0.66), BLACK), "floor": ((0.35, 0.25, 0.18), BLACK), "blue": ((0.15, 0.3, 0.6), BLACK),
+        "mirror": ((0.04, 0.04, 0.04), BLACK), "ball": ((0.6, 0.1, 0.08), BLACK), "lacquer": ((0.1, 0.35, 0.3), BLACK),
+        "lamp": ((0.1, 0.1, 0.1), (40, 37, 32))}, free_point=(300, 1500, 300),
+        shine={"mirror": ((0.85, 0.88, 0.88), 0, 3), "ball": ((0.12, 0.12, 0.12), 60, 2),
+               "lacquer": ((0.06, 0.06, 0.06), 25, 2)})
+    shell = room("room", (0, 0, 0), (4000, 2500, 3500), {"": "wall", "y-": "floor", "x+": "blue"})
+    inset(shell, side_of(shell, 1, 2500), [(1700, 2500, 1500), (2300, 2500, 1500), (2300, 2500, 2100), (1700, 2500, 2100)],
+          "lamp")
+    inset(shell, side_of(shell, 2, 0), [(900, 500, 0), (3100, 500, 0), (3100, 2000, 0), (900, 2000, 0)], "mirror")
+    ball = [(0, 17), (93, 35), (223, 46), (376, 50), (529, 46), (659, 35), (745, 19)]
+    sphere = frustum("ball", "ball", TWELVE, (1400, 1500), ball, caps="y+", smooth=1)
+    sphere.faces[-1].smooth = 1
+    scene.add(shell, sphere, box("box", "lacquer", (2300, 0, 900), (2900, 700, 1500), without="y-"))
+    return scene
+
+
 def parallel_plates():
     scene = Scene("parallel_plates", "Two unit squares face to face, 1 m apart; the lower one emits. F = 0.199825",
                   {"emitter": grey(0.5, 1), "reflector": grey(0.5)}, free_point=(500, 500, 500), closed=False)
@@ -194,10 +213,10 @@ def main(arguments):
     if arguments not in ([], ["--check"]):
         print(__doc__, file=sys.stderr)
         return 2
-    styles = {"furnished_room": "rich", "gap": "negative", "indirect_only": "crlf"}
+    styles = {"furnished_room": "rich", "gap": "negative", "indirect_only": "crlf", "mirror_room": "rich"}
     files = cornell_grey()
     for make in (closed_box, unit_cube_one_emitter, small_lamp, shadow_room, high_rho, white_room, portico, colonnade,
-                 indirect_only, gap, parallel_plates, furnished_room):
+                 indirect_only, gap, mirror_room, parallel_plates, furnished_room):
         scene = make()
         check(scene)
         print(f"{scene.name}: {sum(len(p.faces) for p in scene.parts)} faces, {triangle_count(scene)} triangles, sound")

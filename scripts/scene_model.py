@@ -46,6 +46,7 @@ class Scene:
     parts: list = field(default_factory=list)
     free_point: tuple = None  # a point in the air, where the check's walk of light begins
     closed: bool = True  # no light escapes
+    shine: dict = field(default_factory=dict)  # name -> (Ks, Ns, illum): what pictures show beside diffuse light
 
     def add(self, *parts):
         self.parts.extend(parts)

@@ -103,7 +103,12 @@ def mtl_lines(scene):
     for name, (reflectance, emission) in scene.materials.items():
         lines += [f"newmtl {name}",
                   "Kd " + " ".join(f"{c:g}" for c in reflectance),
-                  "Ke " + " ".join(f"{c:g}" for c in emission), "illum 1", ""]
+                  "Ke " + " ".join(f"{c:g}" for c in emission)]
+        if name in scene.shine:
+            specular, exponent, model = scene.shine[name]
+            lines += ["Ks " + " ".join(f"{c:g}" for c in specular), f"Ns {exponent:g}", f"illum {model}", ""]
+        else:
+            lines += ["illum 1", ""]
     return lines[:-1]
 
 

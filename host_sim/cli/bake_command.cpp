@@ -8,8 +8,11 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "host_sim/cli/frames.h"
+#include "host_sim/cli/pictures.h"
 #include "host_sim/cli/session.h"
 #include "host_sim/io/atomic_file.h"
+#include "host_sim/report/encode.h"
 #include "host_sim/report/text.h"
 #include "host_sim/report/writers.h"
 
@@ -72,13 +75,13 @@ nlohmann::ordered_json measured(const LoadedScene& scene, const CommonOptions& o
 using Write = std::function<void(const std::filesystem::path&)>;
 
 Write writer_for(const std::filesystem::path& path, const BakedMesh& mesh, const Display& display,
-                 const std::string& json) {
+                 const std::string& json, const Write& write_picture) {
   const std::string suffix = path.extension().string();
   const std::map<std::string, Write> writers = {
       {".hpp", [&](const std::filesystem::path& p) { write_hpp(p, mesh, display); }},
       {".glb", [&](const std::filesystem::path& p) { write_glb(p, mesh, display); }},
       {".ply", [&](const std::filesystem::path& p) { write_ply(p, mesh, display); }},
-      {".png", [&](const std::filesystem::path& p) { write_png(p, mesh, display); }},
+      {".png", write_picture},
       {".csv", [&](const std::filesystem::path& p) { write_csv(p, mesh, display); }},
       {".json", [&](const std::filesystem::path& p) { write_text(p, json); }},
   };
@@ -121,14 +124,16 @@ int run_bake(const CommonOptions& options) {
     check_folder(output);
   }
   check_folder(options.faces_csv);
+  check_frames(options);
   const auto scene = load_scene(options);
   BakeResult result;
+  FrameRecorder frames;
   {
     ProgressBar bar(options);
     const auto progress = [&](std::uint32_t shots, double unshot, double seconds) {
       return bar.update(shots, unshot, seconds);
     };
-    result = bake(scene->prepared, options.bake, progress);
+    result = bake(scene->prepared, options.bake, progress, frames.observer(options));
     if (options.gathers_display && !result.interrupted) {
       result.interrupted = !gather_display(result, options.display_mesh, progress);
     }
@@ -144,7 +149,10 @@ int run_bake(const CommonOptions& options) {
   const BakedMesh mesh = make_baked_mesh(*scene, result);
   const std::string json = measured(*scene, options, result).dump(2) + "\n";
   for (const std::string& output : options.outputs) {
-    writer_for(output, mesh, options.display, json)(output);
+    const auto write_picture = [&](const std::filesystem::path& p) {
+      write_text(p, encode_png(make_picture(options, *scene, result, mesh)));
+    };
+    writer_for(output, mesh, options.display, json, write_picture)(output);
     say(options, "wrote " + output);
   }
   if (!options.faces_csv.empty()) {
@@ -152,6 +160,10 @@ int run_bake(const CommonOptions& options) {
                faces_csv(scene->model,
                          file_face_means(scene->model, result.device.overlaps, result.element_radiosity)));
     say(options, "wrote " + options.faces_csv);
+  }
+  if (!options.picture.frames.empty() && !frames.write(options, *scene, result, mesh)) {
+    say(options, "interrupted: the frames so far are written");
+    return kInterrupted;
   }
   if (result.interrupted) {
     say(options, "interrupted: this is the solution so far");

@@ -7,6 +7,16 @@
 namespace fixrad::host {
 namespace {
 
+// What a device draws once it has solved the scene, and the pixels that must come out.
+void add_picture(const CommonOptions& options, const LoadedScene& scene, const BakeResult& result,
+                 SceneTable& table) {
+  const BakedMesh mesh = make_baked_mesh(scene, result);
+  const DeviceUnits units = {result.device.grid, result.device.unit_radiosity, result.device.channels};
+  table.picture = make_picture_table(mesh, units, options.display, options.picture.options());
+  table.picture_digest = picture_digest(
+      draw_on_device(*table.picture, exposed_light(mesh, units, *table.picture)), units.channels);
+}
+
 SceneTable scene_table(const CommonOptions& options, const BakeResult& result) {
   SceneTable table;
   table.source = std::filesystem::path(options.scene).filename().string();
@@ -49,7 +59,11 @@ int run_export(const CommonOptions& options) {
   for (const std::string& line : explain(scene->prepared, result)) {
     say(options, line);
   }
-  write_scene(file, scene_table(options, result));
+  SceneTable table = scene_table(options, result);
+  if (options.picture.is_sized) {
+    add_picture(options, *scene, result, table);
+  }
+  write_scene(file, table);
   say(options, "wrote " + file + ": " + std::to_string(result.plan.sizes.elements) + " elements, " +
                    std::to_string(result.shots) + " shots, " + std::to_string(result.plan.ram()) +
                    " bytes of RAM");

@@ -39,6 +39,7 @@ int run(int argc, char** argv) {
       ->check(output_suffix({".hpp", ".glb", ".ply", ".png", ".csv", ".json"}))
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_picture_options(*bake, options.picture);
   bake->add_option("--faces-csv", options.faces_csv, "Mean radiosity of every input face, in file order");
   bake->add_flag("--keep-partial", options.keep_partial, "When interrupted, write the solution so far");
 
@@ -53,6 +54,8 @@ int run(int argc, char** argv) {
       app.add_subcommand("export", "Solve a scene and write it for a firmware to solve again");
   add_scene_options(*exported, options);
   add_solver_options(*exported, options);
+  add_view_options(*exported, options.picture,
+                   "Pixels of a picture that the firmware is to draw, at most 2048 a side");
   exported->add_option("-o,--output", options.outputs, "C++ header to write; its stem names the namespace")
       ->check(output_suffix({".h", ".hpp"}))
       ->expected(1)

@@ -8,6 +8,7 @@
 
 #include "host_sim/bake/bake.h"
 #include "host_sim/bake/display.h"
+#include "host_sim/cli/picture_options.h"
 #include "host_sim/io/obj_reader.h"
 #include "host_sim/report/baked_mesh.h"
 
@@ -22,6 +23,7 @@ struct CommonOptions {
   ReadOptions read;
   BakeOptions bake;
   Display display;
+  PictureChoice picture;
   bool quiet = false;
   bool keep_partial = false;
   bool engine_chosen = false;  ///< --engine or --resolution was given

@@ -9,7 +9,10 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <glm/geometric.hpp>
 #include <iostream>
+#include <limits>
+#include <map>
 
 namespace fixrad::host {
 namespace {
@@ -28,6 +31,83 @@ void exit_now(int) {
 
 double brightness(glm::dvec3 b) {
   return b.x + b.y + b.z;
+}
+
+// How far a point of its plane lies outside a convex element; negative inside.
+double distance_outside(const MeshElement& element, const glm::dvec3& point) {
+  double most = -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < element.polygon.size(); ++k) {
+    const glm::dvec3 a = element.polygon[k], b = element.polygon[(k + 1) % element.polygon.size()];
+    const glm::dvec3 outwards = glm::cross(b - a, element.normal);
+    const double length = glm::length(outwards);
+    most = length > 0 ? std::max(most, glm::dot(outwards, point - a) / length) : most;
+  }
+  return std::max(most, std::abs(glm::dot(element.normal, point - element.centroid)));
+}
+
+// The element that a displayed triangle is part of: of those that meet at its corners, the one that
+// its middle lies in.
+std::uint32_t element_of(const BakeResult& result, const std::array<std::uint32_t, 3>& triangle) {
+  const glm::dvec3 middle = (result.surface.positions[triangle[0]] + result.surface.positions[triangle[1]] +
+                             result.surface.positions[triangle[2]]) /
+                            3.0;
+  std::uint32_t best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t corner : triangle) {
+    const MeshVertex& vertex = result.surface.vertices[corner];
+    for (std::uint32_t i = vertex.first; i < vertex.first + vertex.count; ++i) {
+      const std::uint32_t e = result.surface.elements[i];
+      const double outside = distance_outside(result.device.mesh.elements[e], middle);
+      if (outside < least) {
+        least = outside;
+        best = e;
+      }
+    }
+  }
+  return best;
+}
+
+// One point light for each element that emits; where these are many, for each patch, or face.
+std::vector<BakedLamp> lamps_of(const BakeResult& result) {
+  constexpr std::size_t kMany = 64;
+  const auto group = [&](std::uint32_t e, int coarseness) {
+    const Element& element = result.device.elements[e];
+    return coarseness == 0 ? e : std::uint32_t{coarseness == 1 ? element.patch : element.face};
+  };
+  std::map<std::uint32_t, BakedLamp> lamps;
+  for (int coarseness = 0; coarseness == 0 || (lamps.size() > kMany && coarseness < 3); ++coarseness) {
+    lamps.clear();
+    for (std::uint32_t e = 0; e < result.device.mesh.elements.size(); ++e) {
+      const MeshElement& element = result.device.mesh.elements[e];
+      if (element.emission != glm::dvec3(0.0)) {
+        BakedLamp& lamp = lamps[group(e, coarseness)];
+        const double area = lamp.area + element.area;
+        lamp.position += (element.centroid - lamp.position) * (element.area / area);
+        lamp = {lamp.position, element.normal, area, element.emission};
+      }
+    }
+  }
+  std::vector<BakedLamp> list;
+  for (const auto& [key, lamp] : lamps) {
+    list.push_back(lamp);
+  }
+  return list;
+}
+
+void add_appearances(const LoadedScene& scene, const BakeResult& result, BakedMesh& mesh) {
+  for (const Material& material : scene.model.materials) {
+    mesh.appearances.push_back({material.specular, material.exponent, material.is_mirror});
+  }
+  for (const auto& triangle : mesh.triangles) {
+    const std::uint32_t face = result.device.mesh.elements[element_of(result, triangle)].input_face;
+    mesh.triangle_appearance.push_back(scene.model.faces[face].material);
+  }
+  mesh.lamps = lamps_of(result);
+}
+
+bool shows_more_than_diffuse_light(const Model& model) {
+  return std::any_of(model.materials.begin(), model.materials.end(),
+                     [](const Material& m) { return m.is_mirror || m.exponent > 0.0; });
 }
 
 }  // namespace
@@ -122,6 +202,9 @@ BakedMesh make_baked_mesh(const LoadedScene& scene, const BakeResult& result) {
     baked.radiosity = result.element_radiosity[e];
     baked.lamp = element.emission != glm::dvec3(0.0);
     mesh.elements.push_back(baked);
+  }
+  if (shows_more_than_diffuse_light(scene.model)) {
+    add_appearances(scene, result, mesh);
   }
   return mesh;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "host_sim/cli/error_view.h"
 #include "host_sim/report/automatic_camera.h"
 #include "host_sim/report/data_page.h"
 #include "host_sim/report/error_map.h"
@@ -16,13 +17,8 @@ namespace {
 constexpr int kWidth = 560, kHeight = 420;
 constexpr std::size_t kFrontierPoints = 5;
 constexpr double kScalePart = 0.85;  // of the samples lie within the scale of a map
-constexpr double kDark = 0.1;        // of the scene's mean radiosity: errors below are relative to this
 constexpr std::uint32_t kReferenceElements = 4000;
 constexpr int kReferenceResolution = 128;
-
-double sum(const glm::dvec3& radiosity) {
-  return radiosity.x + radiosity.y + radiosity.z;
-}
 
 std::vector<std::size_t> choose(const std::vector<SweepPoint>& points) {
   std::vector<double> seconds, errors;
@@ -55,29 +51,6 @@ std::vector<std::size_t> choose(const std::vector<SweepPoint>& points) {
   return order;
 }
 
-double dark_floor(const BakedMesh& mesh) {
-  double light = 0, area = 0;
-  for (const BakedElement& element : mesh.elements) {
-    if (!element.lamp) {
-      light += element.area * sum(element.radiosity);
-      area += element.area;
-    }
-  }
-  return area > 0 && light > 0 ? kDark * light / area : 1.0;
-}
-
-std::vector<ErrorPolygon> face_polygons(const LoadedScene& scene, const Truth& truth,
-                                        const BakeResult& result, double floor) {
-  const std::vector<glm::dvec3> means =
-      face_means(scene.model, result.device.overlaps, result.element_radiosity);
-  std::vector<ErrorPolygon> polygons;
-  for (const MeshElement& element : result.device.mesh.elements) {
-    const double right = sum(truth.means[element.input_face]);
-    polygons.push_back({element.polygon, (sum(means[element.input_face]) - right) / std::max(right, floor)});
-  }
-  return polygons;
-}
-
 struct Maps {
   ErrorMap points, faces;
 };
@@ -107,7 +80,7 @@ class Painter {
     views.picture = png_data_url(render_picture(mesh, display, picture_));
     views.model = glb_base64(mesh, display);
     maps_.push_back({point_errors(mesh, reference_, floor_, z_up, picture_),
-                     polygon_errors(face_polygons(scene_, truth_, result_, floor_), z_up, picture_)});
+                     polygon_errors(face_error_polygons(scene_, truth_, result_, floor_), z_up, picture_)});
     return true;
   }
 

@@ -4,12 +4,67 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_sim/io/parse_number.h"
+
 namespace fixrad::host {
 namespace {
 
 constexpr double kDefaultReflectance = 0.5;
 constexpr double kMaxEmission = 1e30;  // its square and its sum over a scene stay finite
 constexpr std::size_t kMaxNamesListed = 8;
+constexpr double kMaxExponent = 1000.0;  // of the MTL specification
+
+// Illumination models of the MTL specification: 2 and above have highlights, 3 and 5 reflect like a mirror.
+constexpr double kHighlightModel = 2;
+constexpr double kMaxModel = 10;
+
+bool is_mirror_model(double model) {
+  return model == 3 || model == 5;
+}
+
+/// A number of `statement` within [0, most].
+double checked_number(const SourceText& source, const Statement& statement, std::string_view token,
+                      double most) {
+  const std::optional<double> value = parse_real(token);
+  if (!value) {
+    source.fail(token, explain_bad_number(token));
+  }
+  if (!(*value >= 0.0 && *value <= most)) {
+    source.fail(token, std::string(statement.keyword) + " is " + quote(token) + "; give 0 to " +
+                           std::to_string(static_cast<int>(most)));
+  }
+  return *value;
+}
+
+/// The only number of `statement`; 0 where it is not given.
+double single_number(const SourceText& source, const Statement& statement, double most) {
+  if (statement.keyword.empty()) {
+    return 0.0;
+  }
+  if (statement.arguments.size() != 1) {
+    source.fail(statement.keyword, std::string(statement.keyword) + " has " +
+                                       std::to_string(statement.arguments.size()) + " numbers; give one");
+  }
+  return checked_number(source, statement, statement.arguments[0], most);
+}
+
+/// `Ks r g b`, or `Ks r` for grey.
+glm::dvec3 specular_color(const SourceText& source, const Statement& statement) {
+  const std::vector<std::string_view>& arguments = statement.arguments;
+  if (statement.keyword.empty()) {
+    return glm::dvec3(0.0);
+  }
+  if (arguments.size() != 1 && arguments.size() != 3) {
+    source.fail(statement.keyword, "Ks has " + std::to_string(arguments.size()) +
+                                       " numbers; give three (red green blue) or one");
+  }
+  glm::dvec3 color;
+  for (int channel = 0; channel < 3; ++channel) {
+    const auto at = static_cast<std::size_t>(arguments.size() == 3 ? channel : 0);
+    color[channel] = checked_number(source, statement, arguments[at], 1.0);
+  }
+  return color;
+}
 
 bool emits(const glm::dvec3& emission) {
   return emission.x > 0.0 || emission.y > 0.0 || emission.z > 0.0;
@@ -59,8 +114,19 @@ Material MaterialTable::check(const MtlMaterial& definition) {
     warnings_.say_once("no Kd", *definition.source, definition.statement,
                        "the material " + quote(definition.name) + " has no Kd and is taken as black");
   }
+  read_appearance(definition, material);
   warn_about_textures(definition);
   return material;
+}
+
+void MaterialTable::read_appearance(const MtlMaterial& definition, Material& material) {
+  const SourceText& source = *definition.source;
+  const double model = single_number(source, definition.illumination, kMaxModel);
+  if (model >= kHighlightModel) {
+    material.specular = specular_color(source, definition.specular);
+    material.exponent = single_number(source, definition.exponent, kMaxExponent);
+    material.is_mirror = is_mirror_model(model) && material.specular != glm::dvec3(0.0);
+  }
 }
 
 glm::dvec3 MaterialTable::check_reflectance(const MtlMaterial& definition) {

@@ -23,7 +23,9 @@ class MaterialTable {
 
   /// The index of the material `name`, which the `usemtl` at `token` asks for; the empty name is the default
   /// material (Kd 0.5, with one warning). Throws InputError if no MTL file defines it, Kd is outside [0, 1)
-  /// and not to be clamped, Ke is negative, or a value is not finite.
+  /// and not to be clamped, Ke is negative, or a value is not finite; or if `illum` asks for highlights or a
+  /// mirror and Ks or Ns is not in range. Without that Ks and Ns are not read: many tools write them for
+  /// every material.
   std::uint32_t use(const std::string& name, const SourceText& source, std::string_view token);
 
   const std::vector<Material>& materials() const { return materials_; }
@@ -35,6 +37,7 @@ class MaterialTable {
   Material check(const MtlMaterial& definition);
   glm::dvec3 check_reflectance(const MtlMaterial& definition);
   glm::dvec3 check_emission(const MtlMaterial& definition);
+  static void read_appearance(const MtlMaterial& definition, Material& material);
   void warn_about_textures(const MtlMaterial& definition);
   [[noreturn]] void refuse_unknown(const std::string& name, const SourceText& source,
                                    std::string_view token) const;

@@ -17,11 +17,15 @@ class InputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A Lambertian material. Channels are red, green, blue.
+/// A Lambertian material: light is transported by Kd and Ke alone. The rest is what pictures show of it
+/// beside diffuse light. Channels are red, green, blue.
 struct Material {
   std::string name;
   glm::dvec3 reflectance{0.0};  ///< MTL `Kd`, diffuse reflectance, in [0, 1) once read
   glm::dvec3 emission{0.0};     ///< MTL `Ke`, emitted radiosity (exitance), W/m^2, >= 0
+  glm::dvec3 specular{0.0};     ///< MTL `Ks`, in [0, 1], of what `illum` asks for; 0 if for nothing
+  double exponent = 0.0;        ///< MTL `Ns` with `illum` 2 or more, in [0, 1000]: highlights; 0: none
+  bool is_mirror = false;       ///< MTL `illum` 3 or 5: its faces show a mirror image
 };
 
 /// A polygon as the file gives it: any simple planar polygon, 3 corners or more, not necessarily convex.

@@ -12,12 +12,12 @@ namespace {
 
 /// Statements that say nothing about diffuse reflection or emission.
 constexpr std::string_view kIgnored[] = {
-    "Ka",       "Ks",       "Ns",     "Ni",     "Tf",       "Tr",        "d",     "illum",       "sharpness",
-    "map_Ka",   "map_Ks",   "map_Ns", "map_Ni", "map_Tf",   "map_Tr",    "map_d", "map_opacity", "map_aat",
-    "map_bump", "map_Bump", "bump",   "disp",   "map_disp", "decal",     "refl",  "map_refl",    "norm",
-    "map_norm", "map_Kn",   "Pr",     "Pm",     "Ps",       "Pc",        "Pcr",   "aniso",       "anisor",
-    "map_Pr",   "map_Pm",   "map_Ps", "map_Pc", "map_Pcr",  "map_aniso", "Km",    "map_RMA",     "map_ORM",
-    "Pe",       "map_Pe",   "it",     "fresnel"};
+    "Ka",       "Ni",      "Tf",     "Tr",       "d",      "sharpness",   "map_Ka",    "map_Ks",
+    "map_Ns",   "map_Ni",  "map_Tf", "map_Tr",   "map_d",  "map_opacity", "map_aat",   "map_bump",
+    "map_Bump", "bump",    "disp",   "map_disp", "decal",  "refl",        "map_refl",  "norm",
+    "map_norm", "map_Kn",  "Pr",     "Pm",       "Ps",     "Pc",          "Pcr",       "aniso",
+    "anisor",   "map_Pr",  "map_Pm", "map_Ps",   "map_Pc", "map_Pcr",     "map_aniso", "Km",
+    "map_RMA",  "map_ORM", "Pe",     "map_Pe",   "it",     "fresnel"};
 
 bool is_ignored(std::string_view keyword) {
   return std::find(std::begin(kIgnored), std::end(kIgnored), keyword) != std::end(kIgnored);
@@ -50,7 +50,8 @@ MtlColor parse_color(const SourceText& source, const Statement& statement) {
 }
 
 bool belongs_to_material(std::string_view keyword) {
-  return keyword == "Kd" || keyword == "Ke" || keyword == "map_Kd" || keyword == "map_Ke";
+  return keyword == "Kd" || keyword == "Ke" || keyword == "map_Kd" || keyword == "map_Ke" ||
+         keyword == "Ks" || keyword == "Ns" || keyword == "illum";
 }
 
 void read_into(const SourceText& source, const Statement& statement, MtlMaterial& material) {
@@ -58,6 +59,12 @@ void read_into(const SourceText& source, const Statement& statement, MtlMaterial
     material.reflectance = parse_color(source, statement);
   } else if (statement.keyword == "Ke") {
     material.emission = parse_color(source, statement);
+  } else if (statement.keyword == "Ks") {
+    material.specular = statement;
+  } else if (statement.keyword == "Ns") {
+    material.exponent = statement;
+  } else if (statement.keyword == "illum") {
+    material.illumination = statement;
   } else if (statement.keyword == "map_Kd") {
     material.map_kd = statement.keyword;
   } else {

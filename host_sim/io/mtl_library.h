@@ -30,7 +30,10 @@ struct MtlMaterial {
   std::string_view statement;  ///< the keyword newmtl
   MtlColor reflectance;        ///< `Kd`
   MtlColor emission;           ///< `Ke`
-  std::string_view map_kd;     ///< the keyword of a texture, empty without one
+  Statement specular;          ///< `Ks`, `Ns`, `illum`, unread; empty keywords where they are not given
+  Statement exponent;
+  Statement illumination;
+  std::string_view map_kd;  ///< the keyword of a texture, empty without one
   std::string_view map_ke;
 };
 

@@ -51,6 +51,20 @@ glm::dvec3 Projection::to_camera(const glm::dvec3& point) const {
   return {glm::dot(d, axes_.right), glm::dot(d, axes_.up), glm::dot(d, axes_.forward)};
 }
 
+glm::dvec3 Projection::to_scene(const glm::dvec2& pixels, double distance) const {
+  const glm::dvec2 tangent = (pixels - centre_) / pixels_per_tangent_;
+  return eye_ + distance * (axes_.forward + tangent.x * axes_.right - tangent.y * axes_.up);
+}
+
+Projection Projection::mirrored(const glm::dvec3& normal, double offset) const {
+  const auto turned = [&](const glm::dvec3& v) { return v - 2.0 * glm::dot(normal, v) * normal; };
+  Projection image = *this;
+  image.eye_ = turned(eye_) + 2.0 * offset * normal;
+  image.axes_ = {turned(axes_.right), turned(axes_.up), turned(axes_.forward)};
+  image.is_mirrored_ = !is_mirrored_;
+  return image;
+}
+
 glm::dvec2 Projection::to_pixels(const glm::dvec3& in_camera) const {
   const double scale = pixels_per_tangent_ / in_camera.z;
   return {centre_.x + scale * in_camera.x, centre_.y - scale * in_camera.y};

@@ -35,6 +35,14 @@ class Projection {
   /// Scene to camera: x to the right, y up, z the distance along the view, in the scene's unit.
   glm::dvec3 to_camera(const glm::dvec3& point) const;
 
+  /// The point at `distance` along the view that appears at `pixels`.
+  glm::dvec3 to_scene(const glm::dvec2& pixels, double distance) const;
+
+  /// Sees from behind a mirror what the mirror shows: the points p with dot(normal, p) = offset.
+  Projection mirrored(const glm::dvec3& normal, double offset) const;
+  bool is_mirrored() const { return is_mirrored_; }
+  const glm::dvec3& eye() const { return eye_; }
+
   /// Camera (z > 0) to picture, in pixels: (0, 0) is the upper left corner of the picture, x to the right, y
   /// down.
   glm::dvec2 to_pixels(const glm::dvec3& in_camera) const;
@@ -44,6 +52,7 @@ class Projection {
   ViewAxes axes_;
   double pixels_per_tangent_;
   glm::dvec2 centre_;
+  bool is_mirrored_ = false;
 };
 
 }  // namespace fixrad::host

@@ -10,6 +10,9 @@
 
 namespace fixrad::host {
 
+/// Linear display value of the background: dark and neutral, yet not the black of an unlit surface.
+inline constexpr double kBackground = 0.012;
+
 /// 8-bit sRGB pixels, rows from the top, three bytes a pixel.
 struct Image {
   int width = 0;
@@ -24,10 +27,11 @@ struct PictureOptions {
 };
 
 /// The mesh as a person would photograph it: perspective, Gouraud shading on linear radiosity, back faces
-/// culled (a room seen from outside is a doll's house), 4 x 4 samples a pixel, tone-mapped by tone.h before
-/// samples are averaged (so that edges of lamps stay smooth). Throws std::invalid_argument for a mesh that
-/// check_mesh refuses, a size out of range or a camera that looks nowhere. Memory O(triangles + width); time
-/// O(triangles + covered samples).
+/// culled (a room seen from outside is a doll's house), 4 x 4 samples a pixel, with
+/// highlights and mirror images where a material has them, tone-mapped by tone.h before samples are averaged
+/// (so that edges of lamps stay smooth). Throws std::invalid_argument for a mesh that check_mesh refuses, a
+/// size out of range or a camera that looks nowhere. Memory O(triangles + width); time O(triangles + covered
+/// samples).
 Image render_picture(const BakedMesh& mesh, const Display& display, const PictureOptions& options = {});
 
 }  // namespace fixrad::host

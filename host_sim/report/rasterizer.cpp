@@ -77,20 +77,24 @@ std::pair<int, int> sample_range(double low, double high, int count) {
 }  // namespace
 
 std::vector<ScreenTriangle> visible_triangles(const BakedMesh& mesh, const Projection& projection,
-                                              double near_distance) {
+                                              double near_distance, std::vector<std::uint32_t>* sources) {
   std::vector<ScreenTriangle> result;
-  for (const auto& triangle : mesh.triangles) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& triangle = mesh.triangles[t];
     CameraPolygon polygon;
     for (const std::uint32_t corner : triangle) {
       polygon.push_back({projection.to_camera(mesh.positions[corner]), mesh.radiosity[corner]});
     }
-    if (!faces_camera(polygon)) {
+    if (faces_camera(polygon) == projection.is_mirrored()) {
       continue;
     }
     polygon = clip_near(polygon, near_distance);
     for (std::size_t i = 2; i < polygon.size(); ++i) {
       result.push_back({to_screen(polygon[0], projection), to_screen(polygon[i - 1], projection),
                         to_screen(polygon[i], projection)});
+      if (sources != nullptr) {
+        sources->push_back(static_cast<std::uint32_t>(t));
+      }
     }
   }
   return result;
@@ -103,9 +107,10 @@ void SampleBand::clear(int width_in_samples, int first, int count) {
   const std::size_t samples = static_cast<std::size_t>(width) * static_cast<std::size_t>(rows);
   inverse_distance.assign(samples, 0.0);
   radiosity.resize(samples);
+  source.resize(samples);
 }
 
-void draw(const ScreenTriangle& triangle, SampleBand& band) {
+void draw(const ScreenTriangle& triangle, SampleBand& band, std::uint32_t source) {
   const auto& [a, b, c] = triangle;
   const double area = Edge(a.position, b.position)(c.position);
   if (area == 0.0) {
@@ -132,6 +137,7 @@ void draw(const ScreenTriangle& triangle, SampleBand& band) {
           static_cast<std::size_t>(y) * static_cast<std::size_t>(band.width) + static_cast<std::size_t>(x);
       if (inverse > band.inverse_distance[at]) {
         band.inverse_distance[at] = inverse;
+        band.source[at] = source;
         band.radiosity[at] = (w.x * a.radiosity_over_distance + w.y * b.radiosity_over_distance +
                               w.z * c.radiosity_over_distance) /
                              (sum * inverse);

@@ -21,8 +21,10 @@ struct ScreenVertex {
 using ScreenTriangle = std::array<ScreenVertex, 3>;
 
 /// The triangles of the mesh that face the camera, cut off where they come nearer than `near_distance` (> 0).
+/// `sources`, where it is given, receives for each the index of the mesh's triangle.
 std::vector<ScreenTriangle> visible_triangles(const BakedMesh& mesh, const Projection& projection,
-                                              double near_distance);
+                                              double near_distance,
+                                              std::vector<std::uint32_t>* sources = nullptr);
 
 /// A band of sample rows with depth.
 struct SampleBand {
@@ -31,6 +33,7 @@ struct SampleBand {
   int rows = 0;
   std::vector<double> inverse_distance;  ///< [rows * width], 0 where nothing was drawn
   std::vector<glm::dvec3> radiosity;     ///< [rows * width]
+  std::vector<std::uint32_t> source;     ///< [rows * width], what draw() was told, where something was drawn
 
   /// Makes the band empty, for the rows from `first` on.
   void clear(int width_in_samples, int first, int count);
@@ -38,6 +41,6 @@ struct SampleBand {
 
 /// Draws one triangle into the band where it is nearer than what is there. A sample belongs to a triangle if
 /// its centre lies inside or on an edge; triangles that share an edge leave no gap.
-void draw(const ScreenTriangle& triangle, SampleBand& band);
+void draw(const ScreenTriangle& triangle, SampleBand& band, std::uint32_t source = 0);
 
 }  // namespace fixrad::host

@@ -8,50 +8,12 @@
 #include <utility>
 
 #include "host_sim/report/flash_encoding.h"
+#include "host_sim/report/table_text.h"
 #include "host_sim/report/text.h"
+#include "host_sim/report/write_picture.h"
 
 namespace fixrad::host {
 namespace {
-
-constexpr std::size_t kLineWidth = 110;
-
-// Integers and braced records of them, as C++ reads them where int has 16 bits: signed literals take the type
-// that holds them, unsigned ones need the suffix to stay unsigned.
-std::string literal(std::int64_t value) {
-  std::string text;
-  append_number(text, value);
-  return text;
-}
-
-std::string unsigned_literal(std::uint32_t value) {
-  return literal(value) + "u";
-}
-
-std::string hex_literal(std::uint64_t value) {
-  std::string digits = "ull";
-  for (int i = 0; i < 16; ++i, value >>= 4) {
-    digits.insert(digits.begin(), "0123456789abcdef"[value & 15]);
-  }
-  return "0x" + digits;
-}
-
-std::string braced(const std::vector<std::string>& parts) {
-  std::string text = "{";
-  for (const std::string& part : parts) {
-    text += text.size() == 1 ? "" : ", ";
-    text += part;
-  }
-  return text + "}";
-}
-
-template <class T, std::size_t N>
-std::string record_of(const T (&values)[N]) {
-  std::vector<std::string> parts;
-  for (const T value : values) {
-    parts.push_back(literal(value));
-  }
-  return braced(parts);
-}
 
 std::string record_of(std::uint16_t value) {
   return literal(value);
@@ -62,11 +24,11 @@ std::string record_of(std::int32_t value) {
 std::string record_of(const Vertex& v) {
   return braced({literal(v.x), literal(v.y), literal(v.z)});
 }
-std::string record_of(const Face& f) {
+std::string record_of(const fixrad::Face& f) {
   return braced({literal(f.first_corner), literal(f.material), literal(f.first_cell_row),
-                 literal(f.corner_count), literal(f.cells_u), literal(f.cells_v), record_of(f.normal),
-                 record_of(f.tangent), record_of(f.origin), record_of(f.axis_u), record_of(f.axis_v),
-                 unsigned_literal(f.cell_area), literal(f.is_sealed)});
+                 literal(f.corner_count), literal(f.cells_u), literal(f.cells_v), braced_array(f.normal),
+                 braced_array(f.tangent), braced_array(f.origin), braced_array(f.axis_u),
+                 braced_array(f.axis_v), unsigned_literal(f.cell_area), literal(f.is_sealed)});
 }
 std::string record_of(const CellRow& r) {
   return braced({literal(r.first_element), literal(r.first_cell), literal(r.last_cell)});
@@ -75,8 +37,8 @@ std::string record_of(const Cut& c) {
   return braced({literal(c.a), literal(c.b), literal(c.c), literal(c.left), literal(c.right)});
 }
 std::string record_of(const Element& e) {
-  return braced(
-      {unsigned_literal(e.area), record_of(e.eye), literal(e.patch), literal(e.face), literal(e.material)});
+  return braced({unsigned_literal(e.area), braced_array(e.eye), literal(e.patch), literal(e.face),
+                 literal(e.material)});
 }
 std::string record_of(Sight sight) {
   switch (sight) {
@@ -110,24 +72,13 @@ std::string record_of(const Ledger& l) {
       {literal(l.emitted), literal(l.absorbed), literal(l.unshot), literal(l.escaped), literal(l.back)});
 }
 
-// `declaration = {records};`, lines filled.
 template <class T>
-void append_table(std::string& text, std::string_view declaration, const T* records, std::size_t count) {
-  text += "constexpr FIXRAD_IN_FLASH ";
-  text += declaration;
-  text += " = {";
-  std::size_t width = kLineWidth;  // the first record begins a line
+void append_records(std::string& text, std::string_view declaration, const T* records, std::size_t count) {
+  std::vector<std::string> lines;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::string record = record_of(records[i]) + ",";
-    if (width + 1 + record.size() > kLineWidth) {
-      text += "\n   ";
-      width = 3;
-    }
-    text += ' ';
-    text += record;
-    width += 1 + record.size();
+    lines.push_back(record_of(records[i]));
   }
-  text += "\n};\n";
+  append_table(text, declaration, lines);
 }
 
 std::string number(double value) {
@@ -135,6 +86,8 @@ std::string number(double value) {
   append_number(text, value);
   return text;
 }
+
+constexpr char kPictureIncludes[] = "#include \"lib/picture/draw.h\"\n#include \"lib/picture/tone.h\"\n";
 
 void append_head(std::string& text, const SceneTable& table, const std::string& name) {
   const Scene& s = table.scene;
@@ -155,9 +108,8 @@ void append_head(std::string& text, const SceneTable& table, const std::string& 
       " W/m^2.\n"
       "#pragma once\n\n"
       "#include <stdint.h>\n\n"
-      "#include \"lib/fixrad.h\"\n\n"
-      "namespace " +
-      name + " {\n\n";
+      "#include \"lib/fixrad.h\"\n" +
+      std::string(table.picture ? kPictureIncludes : "") + "\nnamespace " + name + " {\n\n";
 }
 
 std::size_t map_elements(const VertexMap& map) {
@@ -170,33 +122,23 @@ std::size_t map_elements(const VertexMap& map) {
 
 void append_scene_tables(std::string& text, const SceneTable& table) {
   const Scene& s = table.scene;
-  append_table(text, "fixrad::Vertex kVertices[]", s.vertices, s.vertex_count);
-  append_table(text, "uint16_t kCorners[]", s.corners, s.corner_count);
-  append_table(text, "fixrad::Face kFaces[]", s.faces, s.face_count);
-  append_table(text, "fixrad::CellRow kCellRows[]", s.cell_rows, s.cell_row_count);
+  append_records(text, "fixrad::Vertex kVertices[]", s.vertices, s.vertex_count);
+  append_records(text, "uint16_t kCorners[]", s.corners, s.corner_count);
+  append_records(text, "fixrad::Face kFaces[]", s.faces, s.face_count);
+  append_records(text, "fixrad::CellRow kCellRows[]", s.cell_rows, s.cell_row_count);
   if (s.roots != nullptr) {
-    append_table(text, "uint16_t kRoots[]", s.roots, s.root_count);
-    append_table(text, "fixrad::Cut kCuts[]", s.cuts, s.cut_count);
+    append_records(text, "uint16_t kRoots[]", s.roots, s.root_count);
+    append_records(text, "fixrad::Cut kCuts[]", s.cuts, s.cut_count);
   }
-  append_table(text, "fixrad::Element kElements[]", s.elements, s.element_count);
-  append_table(text, "fixrad::Patch kPatches[]", s.patches, s.patch_count);
-  append_table(text, "uint16_t kPatchElements[]", s.patch_elements, s.element_count);
-  append_table(text, "fixrad::Material kMaterials[]", s.materials, s.material_count);
+  append_records(text, "fixrad::Element kElements[]", s.elements, s.element_count);
+  append_records(text, "fixrad::Patch kPatches[]", s.patches, s.patch_count);
+  append_records(text, "uint16_t kPatchElements[]", s.patch_elements, s.element_count);
+  append_records(text, "fixrad::Material kMaterials[]", s.materials, s.material_count);
   if (s.sights != nullptr) {
-    append_table(text, "fixrad::Sight kSights[]", s.sights, s.element_count);
+    append_records(text, "fixrad::Sight kSights[]", s.sights, s.element_count);
   }
-  append_table(text, "fixrad::MeshVertex kMeshVertices[]", table.map.vertices, table.map.vertex_count);
-  append_table(text, "uint16_t kMeshVertexElements[]", table.map.elements, map_elements(table.map));
-}
-
-// An inline function whose value is `type` with the given members.
-void append_function(std::string& text, const std::string& type, const std::string& name,
-                     const std::vector<std::pair<const char*, std::string>>& members) {
-  text += "\nstatic inline fixrad::" + type + " " + name + "() {\n  fixrad::" + type + " result = {};\n";
-  for (const auto& [member, value] : members) {
-    text += std::string("  result.") + member + " = " + value + ";\n";
-  }
-  text += "  return result;\n}\n";
+  append_records(text, "fixrad::MeshVertex kMeshVertices[]", table.map.vertices, table.map.vertex_count);
+  append_records(text, "uint16_t kMeshVertexElements[]", table.map.elements, map_elements(table.map));
 }
 
 const char* engine_name(Engine engine) {
@@ -288,9 +230,13 @@ void append_expected(std::string& text, const SceneTable& table) {
   text += "constexpr uint32_t kShots = " + unsigned_literal(table.shots) + ";\n";
   text += "constexpr uint32_t kEyes = " + unsigned_literal(table.eyes) + ";\n";
   text += "// A line a channel: emitted, absorbed, unshot, escaped, back; units of flux.\n";
-  append_table(text, "int64_t kLedger[][5]", table.ledger.data(), table.ledger.size());
+  append_records(text, "int64_t kLedger[][5]", table.ledger.data(), table.ledger.size());
   text += "// [element][channel], units of flux.\n";
-  append_table(text, "int32_t kReceived[]", table.received.data(), table.received.size());
+  append_records(text, "int32_t kReceived[]", table.received.data(), table.received.size());
+  if (table.picture) {
+    text += "// Of the pixels, from the top, FNV-1a.\nconstexpr uint64_t kPictureDigest = " +
+            hex_literal(table.picture_digest) + ";\n";
+  }
   text += "\n}  // namespace expected\n";
 }
 
@@ -311,6 +257,9 @@ void write_scene(const std::filesystem::path& target, const SceneTable& table) {
   append_vertex_map_function(text, table.map);
   append_settings_function(text, table.settings);
   append_solver(text, table.sizes);
+  if (table.picture) {
+    append_picture(text, *table.picture);
+  }
   append_expected(text, table);
   text += "\n}  // namespace " + name + "\n";
   write_text(target, text);

@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "host_sim/report/picture_table.h"
 #include "lib/fixrad.h"
 
 namespace fixrad::host {
@@ -24,8 +26,10 @@ struct SceneTable {
   double unit_radiosity = 1;  ///< one unit of radiosity, W/m^2
   std::uint64_t digest = 0;
   std::uint32_t shots = 0, eyes = 0;
-  std::vector<Ledger> ledger;          ///< one a channel
-  std::vector<std::int32_t> received;  ///< [element][channel]
+  std::vector<Ledger> ledger;           ///< one a channel
+  std::vector<std::int32_t> received;   ///< [element][channel]
+  std::optional<PictureTable> picture;  ///< what the device is to draw
+  std::uint64_t picture_digest = 0;     ///< of its pixels
 };
 
 /// A freestanding C++17 header: the scene as constexpr tables for flash, the type of its solver, and the

@@ -108,6 +108,43 @@ TEST(Materials, WithoutKdAreBlackWithAWarning) {
   EXPECT_THAT(model.warnings, ElementsAre(StartsWith("m.mtl:3:1: warning: the material 'a' has no Kd")));
 }
 
+TEST(Materials, IlluminationModelTwoAsksForHighlights) {
+  const Material a = read_with_material("a", "newmtl a\nKd .5\nKs .1 .2 .3\nNs 40\nillum 2\n").materials[1];
+  EXPECT_EQ(a.specular, glm::dvec3(.1, .2, .3));
+  EXPECT_EQ(a.exponent, 40);
+  EXPECT_FALSE(a.is_mirror);
+}
+
+TEST(Materials, IlluminationModelsThreeAndFiveAskForAMirror) {
+  for (const char* model : {"3", "5"}) {
+    const std::string mtl = std::string("newmtl a\nKd 0\nKs .9\nillum ") + model + "\n";
+    const Material a = read_with_material("a", mtl).materials[1];
+    EXPECT_TRUE(a.is_mirror);
+    EXPECT_EQ(a.specular, glm::dvec3(.9));
+  }
+  EXPECT_FALSE(read_with_material("a", "newmtl a\nKd 0\nillum 3\n").materials[1].is_mirror) << "Ks is 0";
+}
+
+TEST(Materials, AreMattWithoutAnIlluminationModelThatSaysOtherwise) {
+  for (const char* illum : {"", "illum 0\n", "illum 1\n"}) {
+    const std::string mtl = std::string("newmtl a\nKd .5\nKs 7 x\nNs -3\n") + illum;
+    const Material a = read_with_material("a", mtl).materials[1];
+    EXPECT_EQ(a.specular, glm::dvec3(0.0));
+    EXPECT_EQ(a.exponent, 0);
+    EXPECT_FALSE(a.is_mirror);
+  }
+}
+
+TEST(Materials, SpecularStatementsOutOfRangeAreRefusedWhereTheyAreUsed) {
+  EXPECT_THAT(error_with("newmtl a\nKd .5\nillum 2\nKs .1 1.5 0\n"),
+              StartsWith("m.mtl:6:7: error: Ks is '1.5'; give 0 to 1"));
+  EXPECT_THAT(error_with("newmtl a\nKd .5\nillum 2\nNs 1001\n"),
+              StartsWith("m.mtl:6:4: error: Ns is '1001'; give 0 to 1000"));
+  EXPECT_THAT(error_with("newmtl a\nKd .5\nillum 99\n"), StartsWith("m.mtl:5:7: error: illum is '99'"));
+  EXPECT_THAT(error_with("newmtl a\nKd .5\nillum 2\nKs 1 2\n"), HasSubstr("Ks has 2 numbers"));
+  EXPECT_THAT(error_with("newmtl a\nKd .5\nillum 2\nNs nan\n"), HasSubstr("give 0 to 1000"));
+}
+
 TEST(Materials, TheLaterDefinitionWinsWithAWarning) {
   const Model model = read_with_material("a", "newmtl a\nKd .1 .1 .1\nKe 3 3 3\nnewmtl a\nKd .2 .2 .2\n");
   EXPECT_EQ(model.materials[1].reflectance, glm::dvec3(0.2));

@@ -30,10 +30,14 @@ INDIRECT = (
     *((name, ENGINES) for name in ("look", "look_from_centroid", "sample", "sample_buried", "sample_group",
                                    "sample_element", "sample_source")),
     ("sample_matrix_row", ENGINES + NEAR_FIELD),
+    ("gather_irradiance", ENGINES),
     ("withdraw", ()),
     # Start-up code calls the static constructors, then main().
     ("reset_handler", ("_GLOBAL__sub_I_*",)),
     ("start", ("_GLOBAL__sub_I_*",)),
+    # A picture asks the firmware for the light of its vertices, and hands it rows.
+    *((name, ("read_vertex", "take_row")) for name in ("read_light", "fetch", "load", "draw", "hand_over",
+                                                       "draw_picture")),
     ("fire", ENGINES + NEAR_FIELD),
     ("shoot", ENGINES + NEAR_FIELD),
 )

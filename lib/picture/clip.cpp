@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "lib/picture/clip.h"
+
+namespace fixrad {
+namespace {
+
+constexpr int kPartBits = 24;
+
+int32_t between(int32_t from, int32_t to, int32_t part) {
+  const int64_t half = static_cast<int64_t>(1) << (kPartBits - 1);
+  return from + static_cast<int32_t>(((static_cast<int64_t>(to) - from) * part + half) >> kPartBits);
+}
+
+// Where the distance, negative at `gone` only, is zero.
+ViewCorner cut(const ViewCorner& kept, int32_t kept_distance, const ViewCorner& gone, int32_t gone_distance) {
+  const int64_t whole = static_cast<int64_t>(kept_distance) - gone_distance;
+  const int32_t part = static_cast<int32_t>((static_cast<int64_t>(kept_distance) << kPartBits) / whole);
+  ViewCorner result;
+  result.at = {between(kept.at.x, gone.at.x, part), between(kept.at.y, gone.at.y, part),
+               between(kept.at.z, gone.at.z, part)};
+  for (int c = 0; c < kMaxChannels; ++c) {
+    result.light[c] = static_cast<uint16_t>(between(kept.light[c], gone.light[c], part));
+    result.normal[c] = static_cast<int16_t>(between(kept.normal[c], gone.normal[c], part));
+  }
+  return result;
+}
+
+constexpr uint8_t kViewPlanes = 5;
+constexpr int32_t kMost = 0x7fffffff;
+
+// Signed distance from a plane of the view: 0 near, 1 and 2 left and right, 3 and 4 below and above.
+int32_t view_distance(const Projection& projection, uint8_t plane, Vec3 at) {
+  if (plane == 0) {
+    return at.z - kNearest;
+  }
+  const uint32_t tangent = plane < 3 ? projection.guard_x : projection.guard_y;
+  const int32_t across = plane < 3 ? at.x : at.y;
+  const int64_t limit = (static_cast<int64_t>(at.z) * tangent) >> 12;
+  const int64_t distance = (plane & 1) != 0 ? limit + across : limit - across;
+  return distance > kMost ? kMost : static_cast<int32_t>(distance);
+}
+
+}  // namespace
+
+void clip(const ViewPolygon& from, const int32_t* distance, ViewPolygon& to) {
+  to.count = 0;
+  for (uint8_t i = 0; i < from.count; ++i) {
+    const uint8_t next = static_cast<uint8_t>(i + 1 == from.count ? 0 : i + 1);
+    const bool stays = distance[i] >= 0, next_stays = distance[next] >= 0;
+    if (stays && to.count < kMaxViewCorners) {
+      to.corner[to.count++] = from.corner[i];
+    }
+    if (stays != next_stays && to.count < kMaxViewCorners) {
+      const uint8_t kept = stays ? i : next, gone = stays ? next : i;
+      to.corner[to.count++] = cut(from.corner[kept], distance[kept], from.corner[gone], distance[gone]);
+    }
+  }
+}
+
+bool clip_to_view(const Projection& projection, ViewPolygon& polygon) {
+  for (uint8_t plane = 0; plane < kViewPlanes; ++plane) {
+    int32_t distance[kMaxViewCorners];
+    uint8_t gone = 0;
+    for (uint8_t i = 0; i < polygon.count; ++i) {
+      distance[i] = view_distance(projection, plane, polygon.corner[i].at);
+      gone = static_cast<uint8_t>(gone + (distance[i] < 0 ? 1 : 0));
+    }
+    if (gone == polygon.count) {
+      return false;
+    }
+    if (gone > 0) {
+      const ViewPolygon whole = polygon;
+      clip(whole, distance, polygon);
+    }
+  }
+  return polygon.count >= 3;
+}
+
+}  // namespace fixrad
