@@ -216,7 +216,7 @@ Image draw_on_device(const PictureTable& table, const std::vector<std::uint16_t>
     int channels;
   };
   Source source = {light.data(), table.channels};
-  const VertexLight from_array = {&source, [](void* context, std::uint16_t vertex, std::uint16_t* to) {
+  const LightSource from_array = {&source, [](void* context, std::uint16_t vertex, std::uint16_t* to) {
                                     const Source& s = *static_cast<const Source*>(context);
                                     std::copy_n(s.light + std::ptrdiff_t{vertex} * s.channels, s.channels,
                                                 to);

@@ -20,7 +20,7 @@ uint16_t part_of(uint16_t specular, uint16_t light) {
 
 }  // namespace
 
-BandPainter::BandPainter(const PictureScene& scene, const VertexLight& light, const PictureBand& band,
+BandPainter::BandPainter(const PictureScene& scene, const LightSource& light, const PictureBand& band,
                          int32_t first_row, int32_t end_row, uint16_t width)
     : scene_(scene), source_(light), band_(band), first_row_(first_row), end_row_(end_row), width_(width) {}
 

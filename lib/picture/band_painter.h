@@ -19,7 +19,7 @@ constexpr uint16_t kMirrorBit = 0x8000;
 /// Draws into a band of rows.
 class BandPainter {
  public:
-  BandPainter(const PictureScene& scene, const VertexLight& light, const PictureBand& band, int32_t first_row,
+  BandPainter(const PictureScene& scene, const LightSource& light, const PictureBand& band, int32_t first_row,
               int32_t end_row, uint16_t width);
 
   /// Everything in the band becomes background.
@@ -50,7 +50,7 @@ class BandPainter {
   void light_pixel(uint32_t pixel, const uint16_t* own);
 
   const PictureScene& scene_;
-  const VertexLight& source_;
+  const LightSource& source_;
   const PictureBand& band_;
   int32_t first_row_, end_row_;
   uint16_t width_;

@@ -38,7 +38,7 @@ void hand_over(const PictureScene& scene, const PictureBand& band, uint16_t widt
 
 }  // namespace
 
-PictureStatus draw_picture(const PictureScene& scene, const PictureCamera& camera, const VertexLight& light,
+PictureStatus draw_picture(const PictureScene& scene, const PictureCamera& camera, const LightSource& light,
                            const PictureBand& band, const PictureRows& rows) {
   const PictureStatus status = check_picture(scene, camera, band);
   if (status != PictureStatus::ok) {

@@ -12,7 +12,7 @@ namespace fixrad {
 /// Cost: for each band 9 products and a 64-bit division a vertex of each triangle, about 20 products of 64
 /// bits a triangle in the band, a 32-bit division a pixel; as much again for each mirror that the band sees.
 [[nodiscard]] PictureStatus draw_picture(const PictureScene& scene, const PictureCamera& camera,
-                                         const VertexLight& light, const PictureBand& band,
+                                         const LightSource& light, const PictureBand& band,
                                          const PictureRows& rows);
 
 /// Whether all indices of the scene are in range and the camera is where it may be.

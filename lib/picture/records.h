@@ -82,7 +82,7 @@ struct PictureScene {
 
 /// Where the light of a vertex comes from: a solver, an array or a table. Writes `light` [channels] of one of
 /// the vertices with light of their own.
-struct VertexLight {
+struct LightSource {
   void* context;
   void (*read)(void* context, uint16_t vertex, uint16_t* light);
 };
