@@ -83,6 +83,7 @@ void append_picture(std::string& text, const PictureTable& table) {
       {"material_count", literal(scene.material_count)},
       {"mirror_count", literal(scene.mirror_count)},
       {"lamp_count", literal(scene.lamp_count)},
+      {"highlights", scene.highlights != nullptr ? "fixrad::add_highlights" : "nullptr"},
       {"channels", literal(scene.channels)},
       {"background", literal(scene.background)}};
   append_function(text, "PictureScene", "picture", members);
