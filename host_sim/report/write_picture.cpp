@@ -38,6 +38,7 @@ std::string append_records(std::string& text, const std::string& type, const std
     return "nullptr";
   }
   std::vector<std::string> lines;
+  lines.reserve(records.size());
   for (const T& record : records) {
     lines.push_back(picture_record(record));
   }
