@@ -10,6 +10,7 @@
 
 #include "lib/fixrad.h"
 #include "lib/picture/draw.h"
+#include "lib/picture/highlight.h"
 #include "lib/picture/tone.h"
 
 namespace cornell_picture_tiny {
@@ -455,6 +456,7 @@ static inline fixrad::PictureScene picture() {
   result.material_count = 1;
   result.mirror_count = 0;
   result.lamp_count = 0;
+  result.highlights = nullptr;
   result.channels = 3;
   result.background = 49;
   return result;

@@ -55,9 +55,7 @@ class Borders : public Overlay {
     if (!(band_.inverse_distance[at] > 0.0)) {
       return colour;
     }
-    const auto width = static_cast<std::size_t>(band_.width);
-    const glm::dvec2 sample(static_cast<double>(at % width) + 0.5,
-                            band_.first_row + static_cast<double>(at / width) + 0.5);
+    const glm::dvec2 sample = band_.centre(at);
     const std::vector<glm::dvec2>& outline = outlines_[band_.source[at]];
     for (std::size_t k = 0; k < outline.size(); ++k) {
       const glm::dvec2 &a = outline[k], &b = outline[(k + 1) % outline.size()];

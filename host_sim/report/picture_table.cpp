@@ -13,6 +13,7 @@
 #include "host_sim/report/conforming_mesh.h"
 #include "host_sim/report/mirrors.h"
 #include "host_sim/report/tone.h"
+#include "lib/picture/highlight.h"
 
 namespace fixrad::host {
 namespace {
@@ -158,6 +159,7 @@ PictureScene PictureTable::view() const {
   scene.material_count = static_cast<std::uint8_t>(materials.size());
   scene.mirror_count = static_cast<std::uint8_t>(mirrors.size());
   scene.lamp_count = static_cast<std::uint8_t>(lamps.size());
+  scene.highlights = lamps.empty() ? nullptr : add_highlights;
   scene.channels = static_cast<std::uint8_t>(channels);
   scene.background = rounded<std::uint16_t>(kBackground * kLightOne, 0, kLightMax);
   return scene;

@@ -100,6 +100,12 @@ std::vector<ScreenTriangle> visible_triangles(const BakedMesh& mesh, const Proje
   return result;
 }
 
+glm::dvec2 SampleBand::centre(std::size_t at) const {
+  const auto row_length = static_cast<std::size_t>(width);
+  const std::size_t row = at / row_length;
+  return {static_cast<double>(at % row_length) + 0.5, first_row + static_cast<double>(row) + 0.5};
+}
+
 void SampleBand::clear(int width_in_samples, int first, int count) {
   width = width_in_samples;
   first_row = first;

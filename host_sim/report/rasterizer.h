@@ -35,6 +35,9 @@ struct SampleBand {
   std::vector<glm::dvec3> radiosity;     ///< [rows * width]
   std::vector<std::uint32_t> source;     ///< [rows * width], what draw() was told, where something was drawn
 
+  /// The centre of sample `at` in the picture, in samples.
+  glm::dvec2 centre(std::size_t at) const;
+
   /// Makes the band empty, for the rows from `first` on.
   void clear(int width_in_samples, int first, int count);
 };

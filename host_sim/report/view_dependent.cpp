@@ -94,10 +94,7 @@ void add_highlights(const BakedMesh& mesh, const std::vector<BakedLamp>& lamps, 
     if (appearance.is_mirror || appearance.exponent <= 0.0) {
       continue;
     }
-    const auto width = static_cast<std::size_t>(band.width);
-    const glm::dvec2 pixel(static_cast<double>(i % width) + 0.5,
-                           band.first_row + static_cast<double>(i / width) + 0.5);
-    const glm::dvec3 point = projection.to_scene(pixel, 1.0 / band.inverse_distance[i]);
+    const glm::dvec3 point = projection.to_scene(band.centre(i), 1.0 / band.inverse_distance[i]);
     band.radiosity[i] +=
         highlights(lamps, appearance, point, normal_at(mesh, triangle, point), projection.eye());
   }

@@ -38,6 +38,7 @@ std::string append_records(std::string& text, const std::string& type, const std
     return "nullptr";
   }
   std::vector<std::string> lines;
+  lines.reserve(records.size());
   for (const T& record : records) {
     lines.push_back(picture_record(record));
   }
@@ -83,6 +84,7 @@ void append_picture(std::string& text, const PictureTable& table) {
       {"material_count", literal(scene.material_count)},
       {"mirror_count", literal(scene.mirror_count)},
       {"lamp_count", literal(scene.lamp_count)},
+      {"highlights", scene.highlights != nullptr ? "fixrad::add_highlights" : "nullptr"},
       {"channels", literal(scene.channels)},
       {"background", literal(scene.background)}};
   append_function(text, "PictureScene", "picture", members);

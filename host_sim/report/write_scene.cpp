@@ -87,7 +87,9 @@ std::string number(double value) {
   return text;
 }
 
-constexpr char kPictureIncludes[] = "#include \"lib/picture/draw.h\"\n#include \"lib/picture/tone.h\"\n";
+constexpr char kPictureIncludes[] =
+    "#include \"lib/picture/draw.h\"\n#include \"lib/picture/highlight.h\"\n#include "
+    "\"lib/picture/tone.h\"\n";
 
 void append_head(std::string& text, const SceneTable& table, const std::string& name) {
   const Scene& s = table.scene;

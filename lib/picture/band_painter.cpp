@@ -2,7 +2,6 @@
 #include "lib/picture/band_painter.h"
 
 #include "lib/picture/coverage.h"
-#include "lib/picture/highlight.h"
 
 namespace fixrad {
 namespace {
@@ -49,7 +48,8 @@ uint32_t BandPainter::take_opened() {
   return opened;
 }
 
-void BandPainter::draw(const Projection& projection, Pass pass, uint8_t mirror) {
+// Not inlined, or the polygon would be on the stack once for each pass.
+__attribute__((noinline)) void BandPainter::draw(const Projection& projection, Pass pass, uint8_t mirror) {
   pass_ = pass;
   mirror_ = mirror;
   if (mirror != kNoMirror) {
@@ -140,34 +140,39 @@ bool BandPainter::keep_before_mirror(const PictureTriangle& triangle, ViewPolygo
     is_cut = is_cut || height[i] < 0;
   }
   if (is_before && is_cut) {
-    const ViewPolygon whole = polygon;
-    clip(whole, height, polygon);
+    clip(polygon, height);
   }
   return is_before;
 }
 
+// As a fan round the first corner; fronts run anticlockwise, seen in a mirror clockwise.
 void BandPainter::draw_polygon(const Projection& projection, const ViewPolygon& polygon, const Look& look) {
-  ScreenCorner screen[kMaxViewCorners];
-  for (uint8_t i = 0; i < polygon.count; ++i) {
-    screen[i] = to_screen(projection, polygon.corner[i].at);
-  }
+  ScreenCorner screen[3];
+  screen[0] = to_screen(projection, polygon.corner[0].at);
+  screen[1] = to_screen(projection, polygon.corner[1].at);
   for (uint8_t i = 2; i < polygon.count; ++i) {
-    const uint8_t before = static_cast<uint8_t>(i - 1);
-    // Fronts run anticlockwise, seen in a mirror clockwise.
-    draw_triangle(projection, polygon, screen, projection.is_mirrored ? before : i,
-                  projection.is_mirrored ? i : before, look);
+    const ViewCorner* corners[3] = {&polygon.corner[0], &polygon.corner[i - 1], &polygon.corner[i]};
+    screen[2] = to_screen(projection, polygon.corner[i].at);
+    const ScreenCorner next = screen[2];
+    if (!projection.is_mirrored) {
+      screen[2] = screen[1];
+      screen[1] = next;
+      corners[1] = &polygon.corner[i];
+      corners[2] = &polygon.corner[i - 1];
+    }
+    draw_triangle(projection, corners, screen, look);
+    screen[1] = next;
   }
 }
 
-void BandPainter::draw_triangle(const Projection& projection, const ViewPolygon& polygon,
-                                const ScreenCorner* screen, uint8_t second, uint8_t third, const Look& look) {
-  const int64_t area = screen_area(screen[0], screen[second], screen[third]);
+void BandPainter::draw_triangle(const Projection& projection, const ViewCorner* const* corners,
+                                const ScreenCorner* screen, const Look& look) {
+  const int64_t area = screen_area(screen[0], screen[1], screen[2]);
   if (area <= 0) {
     return;
   }
-  const ViewCorner* corners[3] = {&polygon.corner[0], &polygon.corner[second], &polygon.corner[third]};
-  TriangleShading shading(screen[0], screen[second], screen[third], area);
-  const Coverage coverage(screen[0], screen[second], screen[third]);
+  TriangleShading shading(screen[0], screen[1], screen[2], area);
+  const Coverage coverage(screen[0], screen[1], screen[2]);
   coverage.rows(first_row_, end_row_, width_, [&](int32_t y, int32_t from, int32_t to) {
     shading.start(from, y);
     uint32_t pixel = static_cast<uint32_t>(y - first_row_) * width_ + static_cast<uint32_t>(from);
@@ -190,7 +195,7 @@ void BandPainter::own_light(const Projection& projection, const ViewCorner* cons
                  ? scene_.background
                  : static_cast<uint16_t>(interpolate(point, a.light[k], b.light[k], c.light[k]));
   }
-  if (look.material.exponent == 0 || pass_ == Pass::open) {
+  if (look.material.exponent == 0 || pass_ == Pass::open || scene_.highlights == nullptr) {
     return;
   }
   const Vec3 view = {interpolate_wide(point, a.at.x, b.at.x, c.at.x),
@@ -199,7 +204,7 @@ void BandPainter::own_light(const Projection& projection, const ViewCorner* cons
   const Vec3 normal = {interpolate(point, a.normal[0], b.normal[0], c.normal[0]),
                        interpolate(point, a.normal[1], b.normal[1], c.normal[1]),
                        interpolate(point, a.normal[2], b.normal[2], c.normal[2])};
-  add_highlights(scene_, look.material, to_grid(projection, view), normal, projection.eye, own);
+  scene_.highlights(scene_, look.material, to_grid(projection, view), normal, projection.eye, own);
 }
 
 bool BandPainter::claims(uint16_t& stored, uint16_t depth, const Look& look) {

@@ -42,8 +42,8 @@ class BandPainter {
   void read_light(uint16_t vertex, uint16_t* light) const;
   bool misses_band(const Projection& projection, const ViewPolygon& polygon) const;
   void draw_polygon(const Projection& projection, const ViewPolygon& polygon, const Look& look);
-  void draw_triangle(const Projection& projection, const ViewPolygon& polygon, const ScreenCorner* screen,
-                     uint8_t second, uint8_t third, const Look& look);
+  void draw_triangle(const Projection& projection, const ViewCorner* const* corners,
+                     const ScreenCorner* screen, const Look& look);
   void own_light(const Projection& projection, const ViewCorner* const* corners, const SurfacePoint& point,
                  const Look& look, uint16_t* own) const;
   bool claims(uint16_t& stored, uint16_t depth, const Look& look);

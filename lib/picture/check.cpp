@@ -57,7 +57,8 @@ bool has_good_materials(const PictureScene& scene) {
 
 }  // namespace
 
-PictureStatus check_picture(const PictureScene& scene, const PictureCamera& camera, const PictureBand& band) {
+__attribute__((noinline)) PictureStatus check_picture(const PictureScene& scene, const PictureCamera& camera,
+                                                      const PictureBand& band) {
   if (scene.channels != 1 && scene.channels != kMaxChannels) {
     return PictureStatus::bad_channel_count;
   }

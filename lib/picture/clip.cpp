@@ -25,6 +25,18 @@ ViewCorner cut(const ViewCorner& kept, int32_t kept_distance, const ViewCorner& 
   return result;
 }
 
+// The first corner becomes the last.
+void turn(ViewPolygon& polygon, int32_t* distance) {
+  const ViewCorner corner = polygon.corner[0];
+  const int32_t first = distance[0];
+  for (uint8_t i = 1; i < polygon.count; ++i) {
+    polygon.corner[i - 1] = polygon.corner[i];
+    distance[i - 1] = distance[i];
+  }
+  polygon.corner[polygon.count - 1] = corner;
+  distance[polygon.count - 1] = first;
+}
+
 constexpr uint8_t kViewPlanes = 5;
 constexpr int32_t kMost = 0x7fffffff;
 
@@ -42,18 +54,24 @@ int32_t view_distance(const Projection& projection, uint8_t plane, Vec3 at) {
 
 }  // namespace
 
-void clip(const ViewPolygon& from, const int32_t* distance, ViewPolygon& to) {
-  to.count = 0;
-  for (uint8_t i = 0; i < from.count; ++i) {
-    const uint8_t next = static_cast<uint8_t>(i + 1 == from.count ? 0 : i + 1);
-    const bool stays = distance[i] >= 0, next_stays = distance[next] >= 0;
-    if (stays && to.count < kMaxViewCorners) {
-      to.corner[to.count++] = from.corner[i];
-    }
-    if (stays != next_stays && to.count < kMaxViewCorners) {
-      const uint8_t kept = stays ? i : next, gone = stays ? next : i;
-      to.corner[to.count++] = cut(from.corner[kept], distance[kept], from.corner[gone], distance[gone]);
-    }
+void clip(ViewPolygon& polygon, int32_t* distance) {
+  const uint8_t count = polygon.count;
+  while (distance[0] >= 0 || distance[count - 1] < 0) {
+    turn(polygon, distance);
+  }
+  uint8_t kept = 1;
+  while (distance[kept] < 0) {
+    ++kept;
+  }
+  const uint8_t last = static_cast<uint8_t>(count - 1), before = static_cast<uint8_t>(kept - 1);
+  const ViewCorner leaving = cut(polygon.corner[last], distance[last], polygon.corner[0], distance[0]);
+  polygon.corner[0] = cut(polygon.corner[kept], distance[kept], polygon.corner[before], distance[before]);
+  polygon.count = 1;
+  for (uint8_t i = kept; i < count; ++i) {
+    polygon.corner[polygon.count++] = polygon.corner[i];
+  }
+  if (polygon.count < kMaxViewCorners) {
+    polygon.corner[polygon.count++] = leaving;
   }
 }
 
@@ -69,8 +87,7 @@ bool clip_to_view(const Projection& projection, ViewPolygon& polygon) {
       return false;
     }
     if (gone > 0) {
-      const ViewPolygon whole = polygon;
-      clip(whole, distance, polygon);
+      clip(polygon, distance);
     }
   }
   return polygon.count >= 3;

@@ -14,10 +14,11 @@ struct ViewPolygon {
   uint8_t count;
 };
 
-/// Cuts off where `distance` [count] is negative (Sutherland & Hodgman 1974). A cut is computed from the end
-/// that stays to the one that goes, so triangles that share a side share its cut. `from` and `to` differ.
-/// Cost: a 64-bit division a cut.
-void clip(const ViewPolygon& from, const int32_t* distance, ViewPolygon& to);
+/// Cuts off where `distance` [count] is negative, which is so for some corners and not for all. In place, and
+/// the distances are turned with the corners: there is no room for a second polygon on a small chip's stack.
+/// A cut is computed from the end that stays to the one that goes, so triangles that share a side share its
+/// cut. Cost: two 64-bit divisions.
+void clip(ViewPolygon& polygon, int32_t* distance);
 
 /// What of `polygon` lies beyond kNearest and within the guard of the picture; false if nothing.
 bool clip_to_view(const Projection& projection, ViewPolygon& polygon);

@@ -22,9 +22,10 @@ void draw_mirrors(const PictureScene& scene, const Projection& camera, BandPaint
   }
 }
 
-// The display colours of a row take the place of its light, which needs more memory.
-void hand_over(const PictureScene& scene, const PictureBand& band, uint16_t width, int32_t first_row,
-               int32_t end_row, const PictureRows& rows) {
+// Not inlined: what it keeps on the stack is not to lie under the drawing of triangles. The display colours
+// of a row take the place of its light, which needs more memory.
+__attribute__((noinline)) void hand_over(const PictureScene& scene, const PictureBand& band, uint16_t width,
+                                         int32_t first_row, int32_t end_row, const PictureRows& rows) {
   const uint32_t row_length = static_cast<uint32_t>(width) * scene.channels;
   for (int32_t y = first_row; y < end_row; ++y) {
     uint16_t* light = band.light + static_cast<uint32_t>(y - first_row) * row_length;

@@ -44,7 +44,7 @@ int32_t pixels(int32_t u, uint32_t inverse, uint32_t focal) {
 
 }  // namespace
 
-Projection projection_of(const PictureCamera& camera) {
+__attribute__((noinline)) Projection projection_of(const PictureCamera& camera) {
   Projection p;
   p.eye = {camera.eye[0], camera.eye[1], camera.eye[2]};
   p.right = vec(camera.right);
@@ -59,7 +59,8 @@ Projection projection_of(const PictureCamera& camera) {
   return p;
 }
 
-bool mirrored(const Projection& camera, const PictureMirror& mirror, Projection& result) {
+__attribute__((noinline)) bool mirrored(const Projection& camera, const PictureMirror& mirror,
+                                        Projection& result) {
   const Vec3 n = vec(mirror.normal);
   result = camera;
   result.is_mirrored = !camera.is_mirrored;

@@ -65,6 +65,13 @@ struct PictureLamp {
   uint32_t light[kMaxChannels];  ///< UQ20.12: emitted radiosity times exposure
 };
 
+struct PictureScene;
+
+/// Adds to `light` what a shiny material shows of the lamps: add_highlights(). A pointer, so that a program
+/// without shiny materials has no code for them.
+using Highlights = void (*)(const PictureScene& scene, const PictureMaterial& material, const Vec3& at,
+                            const Vec3& normal, const Vec3& eye, uint16_t* light);
+
 /// Everything about a picture that its maker knows: tables in flash, owned by the caller.
 struct PictureScene {
   const FIXRAD_FLASH Vertex* vertices;        ///< [vertex_count] grid units
@@ -76,8 +83,9 @@ struct PictureScene {
   const FIXRAD_FLASH PictureLamp* lamps;
   uint16_t vertex_count, side_point_count, triangle_count;
   uint8_t material_count, mirror_count, lamp_count;
-  uint8_t channels;     ///< 1 or 3
-  uint16_t background;  ///< light where nothing is seen, every channel
+  Highlights highlights;  ///< null: none
+  uint8_t channels;       ///< 1 or 3
+  uint16_t background;    ///< light where nothing is seen, every channel
 };
 
 /// Where the light of a vertex comes from: a solver, an array or a table. Writes `light` [channels] of one of

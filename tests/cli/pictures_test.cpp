@@ -58,8 +58,8 @@ TEST(Pictures, HaveTheSizeThatIsAskedForWhateverTheyShow) {
 
 TEST(Pictures, OfTheDeviceAreCloseToTheAntiAliasedOnes) {
   for (const char* scene : {"cornell", "mirror_room"}) {
-    const Png device = baked_png(scene, {"--renderer", "device", "--size", "160x120"}, "medium");
-    const Png smooth = baked_png(scene, {"--size", "160x120"}, "medium");
+    const Png device = baked_png(scene, {"--renderer", "device", "--size", "400x300"}, "medium");
+    const Png smooth = baked_png(scene, {"--size", "400x300"}, "medium");
     ASSERT_EQ(device.rgb.size(), smooth.rgb.size());
     EXPECT_LE(mean_difference(device, smooth), 1.0) << scene;
   }

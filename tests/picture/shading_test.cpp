@@ -110,10 +110,12 @@ TEST(Clip, CutsATriangleThatRunsBehindTheEyeAtTheNearPlane) {
   ASSERT_TRUE(clip_to_view(looking_along_z(), polygon));
   ASSERT_EQ(polygon.count, 3);
   // Half of the way from 1600 to -1472 is kNearest = 64.
-  EXPECT_EQ(polygon.corner[1].at.z, kNearest);
-  EXPECT_EQ(polygon.corner[1].at.y, 50);
-  EXPECT_EQ(polygon.corner[1].light[0], 500);
-  EXPECT_EQ(polygon.corner[2].at.x, 50);
+  EXPECT_EQ(polygon.corner[0].at.z, kNearest);
+  EXPECT_EQ(polygon.corner[0].at.x, 50);
+  EXPECT_EQ(polygon.corner[1].at.z, 1600) << "the turn is kept";
+  EXPECT_EQ(polygon.corner[2].at.z, kNearest);
+  EXPECT_EQ(polygon.corner[2].at.y, 50);
+  EXPECT_EQ(polygon.corner[2].light[0], 500);
 }
 
 TEST(Clip, LeavesNothingOfWhatIsBehindTheEye) {

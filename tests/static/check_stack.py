@@ -25,6 +25,8 @@ from call_graph import INDIRECT_CALL, Function, Refused, demangled, read_ci
 # the project do not name them.
 NEAR_FIELD = ("correct_near_field",)
 PAIRS = ("ray_row", "contour_row", "add_pairs") + NEAR_FIELD
+# A picture has highlights only where its scene names the function for them; an ATmega2560's does not.
+HIGHLIGHTS = ("add_highlights",)
 ENGINES = ("hemicube_rows", "lune_rows", "hemicube_pixels", "ray_row", "contour_row")
 INDIRECT = (
     *((name, ENGINES) for name in ("look", "look_from_centroid", "sample", "sample_buried", "sample_group",
@@ -38,6 +40,7 @@ INDIRECT = (
     # A picture asks the firmware for the light of its vertices, and hands it rows.
     *((name, ("read_vertex", "take_row")) for name in ("read_light", "fetch", "load", "draw", "hand_over",
                                                        "draw_picture")),
+    *((name, HIGHLIGHTS) for name in ("own_light", "part", "draw_polygon", "draw_triangle")),
     ("fire", ENGINES + NEAR_FIELD),
     ("shoot", ENGINES + NEAR_FIELD),
 )
@@ -144,7 +147,7 @@ def main():
         for name in options.leaf:
             functions.setdefault(name, Function(name)).frame = 0
         without_pairs = options.root is not None or options.prefix == "avr-"
-        depths = Depths(functions, options.prefix, PAIRS if without_pairs else ())
+        depths = Depths(functions, options.prefix, PAIRS + HIGHLIGHTS if without_pairs else ())
         titles = [t for name, ts in depths.by_name.items() for t in ts
                   if options.root in (None, name) and name not in depths.unused]
         if not titles:
