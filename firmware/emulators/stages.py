@@ -30,7 +30,7 @@ RULES = [(re.compile(file), re.compile(function) if function else None, stage) f
     (r"(lib/transport|float_peer)/(shooting|state)\.|lib/fixed/cutter\.", None, "distribute"),
     (r"lib/transport/gathering\.", None, "gathering"),
     (r"lib/vertices/|float_peer/vert", None, "vertex"),
-    (r"lib/scene/load\.", None, "load"),
+    (r"lib/scene/", None, "load"),
     (r"lib/", None, "other of lib"),
     (r"boards/.*/rom_float\.", None, "float"),
 ]]

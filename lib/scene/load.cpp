@@ -1,20 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "lib/scene/load.h"
 
+#include "lib/scene/corner.h"
+
 namespace fixrad {
 namespace {
-
-int64_t wide_dot(const int64_t (&a)[3], Vec3 b) {
-  return a[0] * b.x + a[1] * b.y + a[2] * b.z;
-}
-
-// (b x c) . n without overflow: differences of grid points have 15 bits.
-int64_t turn_about(Vec3 b, Vec3 c, Vec3 n) {
-  const int64_t x[3] = {static_cast<int64_t>(b.y) * c.z - static_cast<int64_t>(b.z) * c.y,
-                        static_cast<int64_t>(b.z) * c.x - static_cast<int64_t>(b.x) * c.z,
-                        static_cast<int64_t>(b.x) * c.y - static_cast<int64_t>(b.y) * c.x};
-  return wide_dot(x, n);
-}
 
 bool is_unit(Vec3 n) {
   const int64_t length2 =
@@ -34,10 +24,6 @@ bool is_frame(const Face& face) {
                                : max_magnitude(vec(face.axis_v));
   const int64_t slack = 4 * static_cast<int64_t>(kUnit);
   return is_unit(vec(face.tangent)) && off < slack && off > -slack && longest <= 2 * kGridMax;
-}
-
-Vec3 corner_position(const Scene& scene, const Face& face, int k) {
-  return vec(flash_read(scene.vertices, corner_vertex(scene, face, k % face.corner_count)));
 }
 
 Status check_vertices(const Scene& scene) {
@@ -234,36 +220,6 @@ Status check_elements(const Scene& scene) {
   return elements_before == scene.element_count ? Status::ok : Status::bad_index;
 }
 
-// How often the directed edge a -> b occurs, less how often b -> a does.
-int edge_balance(const Scene& scene, uint16_t a, uint16_t b) {
-  int balance = 0;
-  for (uint16_t f = 0; f < scene.face_count; ++f) {
-    const Face face = flash_read(scene.faces, f);
-    uint16_t from = corner_vertex(scene, face, face.corner_count - 1);
-    for (int k = 0; k < face.corner_count; ++k) {
-      const uint16_t to = corner_vertex(scene, face, k);
-      balance += from == a && to == b ? 1 : 0;
-      balance -= from == b && to == a ? 1 : 0;
-      from = to;
-    }
-  }
-  return balance;
-}
-
-// Six times the signed volume under the faces, positive for bodies seen from outside. A term is at most 2
-// kGridMax^3 < 2^43, and there are fewer than 2^19.
-int64_t signed_volume(const Scene& scene) {
-  int64_t sum = 0;
-  for (uint16_t f = 0; f < scene.face_count; ++f) {
-    const Face face = flash_read(scene.faces, f);
-    const Vec3 a = corner_position(scene, face, 0);
-    for (int k = 1; k + 1 < face.corner_count; ++k) {
-      sum += turn_about(corner_position(scene, face, k), corner_position(scene, face, k + 1), a);
-    }
-  }
-  return sum;
-}
-
 }  // namespace
 
 Status check_scene(const Scene& scene, const Capacity& capacity) {
@@ -276,25 +232,6 @@ Status check_scene(const Scene& scene, const Capacity& capacity) {
     status = check_light(scene, c, emits);
   }
   return status == Status::ok && !emits ? Status::no_emitter : status;
-}
-
-bool is_closed(const Scene& scene) {
-  for (uint16_t f = 0; f < scene.face_count; ++f) {
-    const Face face = flash_read(scene.faces, f);
-    uint16_t from = corner_vertex(scene, face, face.corner_count - 1);
-    for (int k = 0; k < face.corner_count; ++k) {
-      const uint16_t to = corner_vertex(scene, face, k);
-      if (edge_balance(scene, from, to) != 0) {
-        return false;
-      }
-      from = to;
-    }
-  }
-  return scene.face_count > 0;
-}
-
-bool is_enclosed(const Scene& scene) {
-  return is_closed(scene) && signed_volume(scene) < 0;
 }
 
 }  // namespace fixrad

@@ -7,6 +7,7 @@
 #include "lib/form_factor/engine.h"
 #include "lib/form_factor/near_field.h"
 #include "lib/scene/load.h"
+#include "lib/scene/shape.h"
 
 namespace fixrad {
 

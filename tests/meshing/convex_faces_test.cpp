@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "host_sim/meshing/device_scene.h"
-#include "lib/scene/load.h"
+#include "lib/scene/shape.h"
 #include "tests/lib/scenes.h"
 
 namespace fixrad::host {
