@@ -117,7 +117,7 @@ void for_backs_in_view(State& state, std::uint16_t e, Report report) {
   const EyePoint eye = {vec(element.eye), element.face, 0};
   make_view(state.scene, eye, Backs::all, work);
   enter_band(state.scene, table, 0, kBandRows, work);
-  VisibleSpans visible(state.scene, eye, kTop, work);
+  VisibleSpans visible(state.scene, eye, work);
   for (int r = 0; r < kBandRows; ++r) {
     const BandRow row = band_row(table, 0, r);
     if (!find_visible(state.scene, row, work, visible)) {

@@ -7,6 +7,8 @@
 #include <memory>
 #include <utility>
 
+#include "host_sim/simulate/convexity.h"
+
 namespace fixrad::host {
 namespace {
 
@@ -56,7 +58,7 @@ void measure_light(SceneNeeds& needs) {
 void measure_shape(SceneNeeds& needs) {
   const DeviceScene& device = needs.result.device;
   needs.is_grey = device.channels == 1;
-  needs.is_convex = is_convex(device.view());
+  needs.is_convex = is_convex(device);
   needs.is_enclosed = is_enclosed(device.view());
   count_edges(device, needs);
   needs.sealed_faces = static_cast<std::size_t>(std::count_if(
@@ -139,9 +141,10 @@ void find_omissions(const BakeOptions& options, const CostModel& model, const Wo
                           : "the backs of " + std::to_string(needs.sealed_faces) + " faces: no eye sees them",
          0, general ? std::optional(std::max(0.0, cost(model, *general) - *needs.cost)) : std::nullopt});
   }
-  const bool draws_spans = options.engine == "lunes" || options.engine == "rows";
-  const std::size_t depths =
-      draws_spans ? count_depths(recorder.eyes(), make_settings(options, result.plan), needs) : 0;
+  // A hemicube makes all depths before it turns them from side to side.
+  const std::size_t depths = options.engine == "lunes"
+                                 ? count_depths(recorder.eyes(), make_settings(options, result.plan), needs)
+                                 : 0;
   if (needs.is_convex && depths > 0) {
     needs.omissions.push_back(
         {"depth", "depth of faces and tests of it: none hides another", 0,

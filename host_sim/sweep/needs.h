@@ -27,7 +27,7 @@ struct Extent {
 struct SceneNeeds {
   BakeResult result;
   bool is_grey = false;
-  bool is_convex = false;                 ///< as State::is_convex
+  bool is_convex = false;                 ///< no face hides another
   bool is_enclosed = false;               ///< as State::is_enclosed
   std::size_t edges = 0, open_edges = 0;  ///< open: not run along as often one way as the other
   std::size_t sealed_faces = 0;           ///< of bodies into which no eye sees

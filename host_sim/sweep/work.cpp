@@ -70,7 +70,7 @@ class EyeCounter {
     }
     sum_[kBandVertex] += scene.vertex_count;
     sum_[kBandFace] += work.view_count;
-    VisibleSpans visible(scene, eye.sample.eye, side, work);
+    VisibleSpans visible(scene, eye.sample.eye, work);
     for (int i = 0; i < count; ++i) {
       const BandRow row = {row_plane(table, first + i), static_cast<RowMask>(1u << i)};
       sum_[kRow] += 1;

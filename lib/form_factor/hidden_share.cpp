@@ -22,7 +22,7 @@ uint32_t hidden_on_row(const VisibleSpans& visible, const DeltaRow& delta, bool 
 Status hidden_share(const Scene& scene, const DeltaTable& table, const EyePoint& eye, bool nothing_hides,
                     Workspace& work, uint32_t& share) {
   make_view(scene, eye, Backs::all, work);
-  VisibleSpans visible(scene, eye, kTop, work);
+  VisibleSpans visible(scene, eye, work);
   const int size = 1 << table.resolution_log2;
   uint32_t hidden = 0;
   uint32_t all = 0;

@@ -13,7 +13,7 @@ Status lune_rows(const Scene& scene, const DeltaTable& table, const EyeSample& s
   for (int first = 0; first < size; first += kBandRows) {
     const int count = band_count(table, first);
     enter_band(scene, table, first, count, work);
-    const BandSample band = {table, sample.eye, kTop, first, count, !sample.back_faces};
+    const BandSample band = {table, sample.eye, true, first, count, !sample.back_faces};
     if (!sample_band(scene, band, work, base, writer)) {
       return Status::span_pool_full;
     }

@@ -61,13 +61,13 @@ bool find_visible(const Scene& scene, const BandRow& row, Workspace& work, Visib
 
 bool sample_band(const Scene& scene, const BandSample& band, Workspace& work, uint32_t& base,
                  RowWriter& writer) {
-  VisibleSpans visible(scene, band.eye, band.side, work);
+  VisibleSpans visible(scene, band.eye, work);
   for (int i = 0; i < band.count; ++i) {
     const BandRow row = band_row(band.table, band.first, i);
     if (!find_visible(scene, row, work, visible)) {
       return false;
     }
-    const DeltaRow delta = delta_row(band.table, band.side == kTop, band.first + i);
+    const DeltaRow delta = delta_row(band.table, band.is_top, band.first + i);
     write_row(scene, row.plane, delta, base, band.is_closed, visible, work, writer);
     base += 2 * delta.half_total;
   }

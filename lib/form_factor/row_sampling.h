@@ -16,7 +16,7 @@ bool find_visible(const Scene& scene, const BandRow& row, Workspace& work, Visib
 struct BandSample {
   const DeltaTable& table;
   const EyePoint& eye;
-  int side;  ///< of a hemicube; of lunes kTop
+  bool is_top;  ///< of a hemicube
   int first, count;
   bool is_closed;  ///< no row shows nothing
 };

@@ -7,6 +7,7 @@ Status hemicube_rows(const Scene& scene, const DeltaTable& table, const EyeSampl
                      FormFactorRow& row) {
   make_view(scene, sample.eye, backs_in(sample), work);
   make_grids(scene, sample.eye, work);
+  make_depths(scene, sample.eye, work);  // before they are turned from side to side
   RowWriter writer(row, sample.weight);
   const int size = 1 << table.resolution_log2;
   uint32_t base = 0;
@@ -17,7 +18,7 @@ Status hemicube_rows(const Scene& scene, const DeltaTable& table, const EyeSampl
     for (int first = side == kTop ? 0 : size / 2; first < size; first += kBandRows) {
       const int count = band_count(table, first);
       enter_side_band(scene, table, side, first, count, work);
-      const BandSample band = {table, sample.eye, side, first, count, !sample.back_faces};
+      const BandSample band = {table, sample.eye, side == kTop, first, count, !sample.back_faces};
       if (!sample_band(scene, band, work, base, writer)) {
         return Status::span_pool_full;
       }

@@ -159,22 +159,10 @@ void turn_view(int side, uint16_t vertex_count, Workspace& work) {
   }
   for (uint16_t i = 0; i < work.view_count; ++i) {
     FaceView& view = work.views[i];
-    if (view.depth_shift != 0) {
-      turn_to(side, view.depth[0], view.depth[1], view.depth[2]);
-    }
+    turn_to(side, view.depth[0], view.depth[1], view.depth[2]);
     turn_to(side, view.grid_u);
     turn_to(side, view.grid_v);
     turn_to(side, view.grid_n);
-  }
-}
-
-void make_turned_depths(const Scene& scene, const EyePoint& eye, int side, Workspace& work) {
-  make_depths(scene, eye, work);
-  for (uint16_t i = 0; i < work.view_count; ++i) {
-    FaceView& view = work.views[i];
-    for (int turn = kTop + 1; turn <= side; ++turn) {
-      turn_to(turn, view.depth[0], view.depth[1], view.depth[2]);
-    }
   }
 }
 

@@ -15,9 +15,6 @@ constexpr int kTop = 0;
 /// Turns the view from the axes of the side before to those of `side`; sides are entered in order, from kTop.
 void turn_view(int side, uint16_t vertex_count, Workspace& work);
 
-/// make_depths() in the axes of `side`.
-void make_turned_depths(const Scene& scene, const EyePoint& eye, int side, Workspace& work);
-
 /// Prepares the rows `first` .. first + count - 1 (count <= kBandRows) of a table's rows: which vertices are
 /// above which row, which rows each face crosses. Cost: a search among the rows a vertex, a few bit
 /// operations a corner.

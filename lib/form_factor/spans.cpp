@@ -120,7 +120,7 @@ bool VisibleSpans::paint(uint16_t& i, Interval part, uint16_t index) {
 // depths of all its faces made.
 Interval VisibleSpans::won_part(uint16_t a, uint16_t b, Interval part, const RowPlane& plane) {
   if (work_.views[a].depth_shift == 0) {
-    make_turned_depths(scene_, eye_, side_, work_);
+    make_depths(scene_, eye_, work_);
   }
   return nearer_part(row_depth(work_.views[a], plane), row_depth(work_.views[b], plane), part);
 }

@@ -30,9 +30,9 @@ int32_t nearness(const RowDepth& a, const RowDepth& b, int32_t position);
 /// face or nothing, in a bounded pool; one span more, at kRowEnd, ends them.
 class VisibleSpans {
  public:
-  /// On rows of `side` (of lunes: kTop) of the view from `eye` that `work` holds. All must outlive it.
-  VisibleSpans(const Scene& scene, const EyePoint& eye, int side, Workspace& work)
-      : scene_(scene), eye_(eye), work_(work), side_(side) {}
+  /// On rows of the view from `eye` that `work` holds. All must outlive it.
+  VisibleSpans(const Scene& scene, const EyePoint& eye, Workspace& work)
+      : scene_(scene), eye_(eye), work_(work) {}
 
   /// Starts a row that shows nothing. Needs a pool of two.
   void reset();
@@ -57,7 +57,6 @@ class VisibleSpans {
   const Scene& scene_;
   const EyePoint& eye_;
   Workspace& work_;
-  int side_;
   uint16_t count_ = 0;
 };
 

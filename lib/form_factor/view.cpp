@@ -92,7 +92,7 @@ void make_plane(const EyeFrame& frame, Vec3 normal, int32_t height, FaceView& vi
 }
 
 // How far the eye stands in front of the face's plane, Q14 quarters of a grid unit.
-int32_t eye_height(const Scene& scene, const Face& face, Vec3 eye) {
+__attribute__((noinline)) int32_t eye_height(const Scene& scene, const Face& face, Vec3 eye) {
   const Vec3 corner = vec(flash_read(scene.vertices, corner_vertex(scene, face, 0)));
   return -dot(vec(face.normal), relative_to_eye(corner, eye));
 }
@@ -105,6 +105,21 @@ __attribute__((noinline)) void see_face(const Face& face, FaceView& view) {
   view.cells_u = face.cells_u;
   view.cells_v = face.cells_v;
   view.depth_shift = 0;
+}
+
+// One loop for both: on small cores it weighs as much as what it does.
+__attribute__((noinline)) void complete_views(const Scene& scene, const EyePoint& eye, bool with_depths,
+                                              Workspace& work) {
+  const EyeFrame frame = eye_frame(flash_at(scene.faces, eye.face), eye.turn);
+  for (uint16_t i = 0; i < work.view_count; ++i) {
+    FaceView& view = work.views[i];
+    const Face& face = flash_at(scene.faces, view.face);
+    if (with_depths) {
+      make_plane(frame, vec(face.normal), eye_height(scene, face, eye.position), view);
+    } else if (!view.is_back && has_grid(scene, view)) {
+      make_grid(face, frame, eye.position, view);
+    }
+  }
 }
 
 }  // namespace
@@ -129,22 +144,11 @@ void make_view(const Scene& scene, const EyePoint& eye, Backs backs, Workspace& 
 }
 
 void make_depths(const Scene& scene, const EyePoint& eye, Workspace& work) {
-  const EyeFrame frame = eye_frame(flash_at(scene.faces, eye.face), eye.turn);
-  for (uint16_t i = 0; i < work.view_count; ++i) {
-    FaceView& view = work.views[i];
-    const Face& face = flash_at(scene.faces, view.face);
-    make_plane(frame, vec(face.normal), eye_height(scene, face, eye.position), view);
-  }
+  complete_views(scene, eye, true, work);
 }
 
 void make_grids(const Scene& scene, const EyePoint& eye, Workspace& work) {
-  const EyeFrame frame = eye_frame(flash_at(scene.faces, eye.face), eye.turn);
-  for (uint16_t i = 0; i < work.view_count; ++i) {
-    FaceView& view = work.views[i];
-    if (!view.is_back && has_grid(scene, view)) {
-      make_grid(flash_at(scene.faces, view.face), frame, eye.position, view);
-    }
-  }
+  complete_views(scene, eye, false, work);
 }
 
 }  // namespace fixrad

@@ -36,72 +36,7 @@ int64_t signed_volume(const Scene& scene) {
   return sum;
 }
 
-// How far a point lies before the plane of a face, Q14 grid units: an offset of 15 bits with its sign times a
-// unit vector stays below 2^29.
-int32_t corner_height(const Scene& scene, const Face& face, Vec3 point) {
-  return dot(vec(face.normal), point - corner_position(scene, face, 0));
-}
-
-constexpr int32_t kHeightTolerance = kPlaneTolerance * kUnit;
-
-bool is_in_plane(const Scene& scene, const Face& face, const Face& other) {
-  for (int k = 0; k < other.corner_count; ++k) {
-    const int32_t height = corner_height(scene, face, corner_position(scene, other, k));
-    if (height > kHeightTolerance || height < -kHeightTolerance) {
-      return false;
-    }
-  }
-  return true;
-}
-
-// Has `face` an edge with all of `other` on its far side, but for kPlaneTolerance?
-bool has_edge_between(const Scene& scene, const Face& face, const Face& other) {
-  for (int k = 0; k < face.corner_count; ++k) {
-    const Vec3 a = corner_position(scene, face, k);
-    const Vec3 along = corner_position(scene, face, k + 1) - a;
-    const int64_t slack = static_cast<int64_t>(kHeightTolerance) * max_magnitude(along);
-    bool is_between = true;
-    for (int i = 0; i < other.corner_count && is_between; ++i) {
-      is_between = turn_about(along, corner_position(scene, other, i) - a, vec(face.normal)) <= slack;
-    }
-    if (is_between) {
-      return true;
-    }
-  }
-  return false;
-}
-
-bool is_before(const Scene& scene, const Face& face, Vec3 point) {
-  return corner_height(scene, face, point) >= -kHeightTolerance;
-}
-
-// Two layers in one plane, the upper of which hides the lower.
-bool are_layers(const Scene& scene, const Face& a, const Face& b) {
-  return dot(vec(a.normal), vec(b.normal)) > 0 && is_in_plane(scene, a, b) &&
-         !has_edge_between(scene, a, b) && !has_edge_between(scene, b, a);
-}
-
 }  // namespace
-
-bool is_convex(const Scene& scene) {
-  for (uint16_t f = 0; f < scene.face_count; ++f) {
-    const Face face = flash_read(scene.faces, f);
-    for (uint16_t v = 0; v < scene.vertex_count; ++v) {
-      if (!is_before(scene, face, vec(flash_read(scene.vertices, v)))) {
-        return false;
-      }
-    }
-  }
-  for (uint16_t f = 0; f < scene.face_count; ++f) {
-    const Face face = flash_read(scene.faces, f);
-    for (uint16_t g = 0; g < f; ++g) {
-      if (are_layers(scene, face, flash_read(scene.faces, g))) {
-        return false;
-      }
-    }
-  }
-  return true;
-}
 
 bool is_closed(const Scene& scene) {
   for (uint16_t f = 0; f < scene.face_count; ++f) {

@@ -14,10 +14,4 @@ bool is_closed(const Scene& scene);
 /// body in empty space is closed, but its light escapes.
 bool is_enclosed(const Scene& scene);
 
-/// A scene is convex if no face can hide another, or bury its eyes, seen from any lit side: every vertex lies
-/// in or before the plane of every face, and faces in one plane that look the same way lie side by side; all
-/// within kPlaneTolerance. Plates that face each other are convex as well as a room. Cost: faces x vertices
-/// and pairs of faces, three products each, where it holds; stops at the first vertex behind a face.
-bool is_convex(const Scene& scene);
-
 }  // namespace fixrad

@@ -46,13 +46,8 @@ Status probe(State& state, const EyePoint& eye, bool& is_clear) {
   return status;
 }
 
-// In a convex scene nothing stands over an eye.
-Sight known_sight(const State& state, uint16_t e) {
-  return state.is_convex ? Sight::all_clear : sight_of(state.scene, e);
-}
-
 Status has_clear_centroid(State& state, uint16_t e, bool& is_clear) {
-  const Sight sight = known_sight(state, e);
+  const Sight sight = sight_of(state.scene, e);
   is_clear = sight == Sight::centroid_clear || sight == Sight::all_clear;
   if (sight != Sight::unknown) {
     return Status::ok;
@@ -74,7 +69,7 @@ class ElementEyes {
       : state_(state), element_(element), level_(level) {}
 
   Status choose() {
-    const bool all_clear = known_sight(state_, element_) == Sight::all_clear;
+    const bool all_clear = sight_of(state_.scene, element_) == Sight::all_clear;
     const uint16_t face = flash_at(state_.scene.elements, element_).face;
     for (unsigned i = 0; i < level_ * level_; ++i) {
       const EyeCandidate candidate = eye_candidate(state_.scene, element_, level_, i);

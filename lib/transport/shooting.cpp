@@ -119,7 +119,7 @@ bool find_emission(State& state, Shot& shot, uint64_t& flux) {
       shot.amount[c] = shot.unshot[c] = emitted_flux(scene, material, element.area, c);
       flux += static_cast<uint32_t>(shot.amount[c].raw);
     }
-    flux *= channels_meant(scene.channels);
+    flux = flux_meant(flux, scene.channels);
     if (flux > 0) {
       shot.source = element_source(scene, state.next_emitter);
       shot.is_emission = true;

@@ -37,7 +37,6 @@ void reset(State& state, const Scene& scene, const Settings& settings) {
   state.turn = 0;
   state.is_closed = is_closed(scene);
   state.is_enclosed = state.is_closed && is_enclosed(scene);
-  state.is_convex = is_convex(scene);
   state.next_emitter = 0;
   const unsigned channels = scene.channels;
   for (uint32_t i = 0; i < channels * account_words(scene.element_count, scene.face_count); ++i) {
@@ -58,7 +57,7 @@ void reset(State& state, const Scene& scene, const Settings& settings) {
     }
     emitted += static_cast<uint32_t>(state.emitted[c]);
   }
-  emitted *= channels_meant(scene.channels);
+  emitted = flux_meant(emitted, scene.channels);
   state.a_row = quarter_part(emitted, settings.flux_per_row);
   state.an_eye = quarter_part(emitted, settings.flux_per_eye);
   state.sweep = {SourceKind::element, scene.element_count, true, 0, {}};

@@ -85,13 +85,12 @@ struct State {
   uint8_t turn;           ///< next angle of the fixed sequence
   bool is_closed;         ///< back faces are never the nearest
   bool is_enclosed;       ///< and no light can escape
-  bool is_convex;         ///< no face hides another, and no eye is buried
 };
 
-/// What a sum of flux over the carried channels is to be multiplied by before it decides who shoots and how:
-/// the channel of a grey scene stands for three equal ones, so that both make the same decisions, to the bit.
-constexpr uint32_t channels_meant(uint8_t carried) {
-  return carried == 1 ? kMaxChannels : 1;
+/// A sum of flux over the carried channels as it decides who shoots and how. The channel of a grey scene stands
+/// for three equal ones, so that both make the same decisions, to the bit.
+inline uint64_t flux_meant(uint64_t sum, uint8_t carried) {
+  return carried == 1 ? sum + 2 * sum : sum;
 }
 
 /// Puts `scene` into `state`: nothing received, every emitter's flux unshot. The caller has checked the

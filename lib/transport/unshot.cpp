@@ -104,7 +104,7 @@ uint64_t unshot_of(const State& state, const EyeSource& source, Flux* unshot) {
     unshot[c] = Flux::from_raw(flux[c]);
     sum += magnitude(flux[c]);
   }
-  return sum * channels_meant(state.scene.channels);
+  return flux_meant(sum, state.scene.channels);
 }
 
 bool plan_amount(const State& state, const EyeSource& source, Flux* unshot, Flux* amount) {
@@ -298,7 +298,7 @@ Survey survey_unshot(const State& state) {
   } else {
     survey_faces(state, survey);
   }
-  survey.most *= channels_meant(state.scene.channels);
+  survey.most = flux_meant(survey.most, state.scene.channels);
   return survey;
 }
 

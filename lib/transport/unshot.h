@@ -19,8 +19,7 @@ constexpr uint32_t account_words(uint32_t elements, uint32_t faces) {
 /// What element `e` has sent on of what it has received. Needs sweep.kind != face.
 uint32_t sent_flux(const State& state, uint16_t e, int c);
 
-/// Unshot flux of a source of the kind that shoots now, one a channel; returns the sum of the magnitudes of
-/// the channels meant.
+/// Unshot flux of a source of the kind that shoots now, one a channel; returns flux_meant() of the magnitudes.
 uint64_t unshot_of(const State& state, const EyeSource& source, Flux* unshot);
 
 /// What `source` can send now: its unshot flux, where its account can hold the sum that it has sent, and what
@@ -47,7 +46,7 @@ void share_flux(State& state, uint16_t parent, const uint32_t* weight, const uin
 
 /// What the sources of the kind that shoots now have to send.
 struct Survey {
-  uint64_t most;                     ///< that one of them has, sum of the magnitudes of the channels meant
+  uint64_t most;                     ///< that one of them has, flux_meant() of the magnitudes
   uint64_t magnitude[kMaxChannels];  ///< sum of |unshot| over elements, later over faces
   int64_t balance[kMaxChannels];     ///< sum of unshot
 };

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "host_sim/simulate/convexity.h"
 #include "lib/form_factor/row_sampling.h"
 #include "tests/lib/scenes.h"
 #include "tests/lib/solution.h"
@@ -68,54 +69,47 @@ std::vector<Sample> convex_scenes() {
           {"right angle", perpendicular_squares(0.5, 1.0, 0.5)}};
 }
 
-SolveOptions options_of(Engine engine) {
+SolveOptions lune_options() {
   SolveOptions options;
   options.elements = 120;
-  options.settings =
-      engine == lune_rows ? lune_settings(32, fraction(1, 200)) : settings_with(16, fraction(1, 200));
-  options.settings.engine = engine;
+  options.settings = lune_settings(32, fraction(1, 200));
   return options;
 }
 
 TEST(Convex, RoomsOfFlatWallsPlatesAndCornersAre) {
   for (Sample& sample : convex_scenes()) {
-    EXPECT_TRUE(Solution(std::move(sample.model), options_of(lune_rows)).state().is_convex) << sample.name;
+    EXPECT_TRUE(is_convex(Solution(std::move(sample.model), lune_options()).device())) << sample.name;
   }
 }
 
 TEST(Convex, NoSceneInWhichABodyStandsIs) {
   for (const Stand stand : {Stand::without_bottom, Stand::closed_on_floor, Stand::floating}) {
-    EXPECT_FALSE(Solution(room_with_box(stand, 0.3), options_of(lune_rows)).state().is_convex);
+    EXPECT_FALSE(is_convex(Solution(room_with_box(stand, 0.3), lune_options()).device()));
   }
   for (std::uint32_t seed = 0; seed < 10; ++seed) {
-    EXPECT_FALSE(Solution(random_closed_room(seed), options_of(lune_rows)).state().is_convex) << seed;
+    EXPECT_FALSE(is_convex(Solution(random_closed_room(seed), lune_options()).device())) << seed;
   }
-  EXPECT_FALSE(Solution(cornell(), options_of(lune_rows)).state().is_convex);
+  EXPECT_FALSE(is_convex(Solution(cornell(), lune_options()).device()));
 }
 
 TEST(Convex, ALampBesideTheFloorHidesNothingALampOnTheFloorDoes) {
-  EXPECT_TRUE(Solution(floor_and_lamp(2.0), options_of(lune_rows)).state().is_convex);
-  EXPECT_TRUE(Solution(floor_and_lamp(3.0), options_of(lune_rows)).state().is_convex);
-  EXPECT_FALSE(Solution(floor_and_lamp(0.5), options_of(lune_rows)).state().is_convex);
-  EXPECT_FALSE(Solution(floor_and_lamp(1.5), options_of(lune_rows)).state().is_convex);
+  EXPECT_TRUE(is_convex(Solution(floor_and_lamp(2.0), lune_options()).device()));
+  EXPECT_TRUE(is_convex(Solution(floor_and_lamp(3.0), lune_options()).device()));
+  EXPECT_FALSE(is_convex(Solution(floor_and_lamp(0.5), lune_options()).device()));
+  EXPECT_FALSE(is_convex(Solution(floor_and_lamp(1.5), lune_options()).device()));
 }
 
-class ConvexScenes : public testing::TestWithParam<Engine> {};
-
-INSTANTIATE_TEST_SUITE_P(Engine, ConvexScenes, testing::Values(hemicube_rows, lune_rows),
-                         [](const auto& engine) { return engine.index == 0 ? "Rows" : "Lunes"; });
-
 // Where no two faces ever meet on a row, no view has made a depth.
-TEST_P(ConvexScenes, TestNoDepthFromAnyEyeInAnyTurn) {
+TEST(ConvexScenes, MakeNoDepthFromAnyEyeInAnyTurn) {
   for (Sample& sample : convex_scenes()) {
-    Solution solution(std::move(sample.model), options_of(GetParam()));
+    Solution solution(std::move(sample.model), lune_options());
     State& state = solution.state();
     const DeltaTable& table = state.settings.tables[state.settings.table_count - 1];
     std::uint32_t views = 0;
     for (std::uint32_t e = 0; e < state.scene.element_count; ++e) {
       for (std::uint8_t turn = 0; turn < kTurns; ++turn) {
         const EyeSample eye = {element_eye(state.scene, e, turn), kRowOne, !state.is_closed};
-        ASSERT_EQ(GetParam()(state.scene, table, eye, state.work, state.row), Status::ok);
+        ASSERT_EQ(lune_rows(state.scene, table, eye, state.work, state.row), Status::ok);
         for (std::uint16_t i = 0; i < state.work.view_count; ++i, ++views) {
           ASSERT_EQ(state.work.views[i].depth_shift, 0)
               << sample.name << " element " << e << " turn " << int{turn};
@@ -126,34 +120,16 @@ TEST_P(ConvexScenes, TestNoDepthFromAnyEyeInAnyTurn) {
   }
 }
 
-TEST_P(ConvexScenes, AreSolvedToTheSameBitsAsIfTheyWereNot) {
-  for (const Sample& sample : convex_scenes()) {
-    Solution spared(sample.model, options_of(GetParam()));
-    Solution general(sample.model, options_of(GetParam()));
-    general.state().is_convex = false;
-    ASSERT_TRUE(spared.state().is_convex);
-    ASSERT_EQ(spared.run(), Status::converged);
-    ASSERT_EQ(general.run(), Status::converged);
-    EXPECT_EQ(spared.digest(), general.digest()) << sample.name;
-    EXPECT_EQ(spared.state().shots, general.state().shots) << sample.name;
-    EXPECT_EQ(spared.state().eyes, general.state().eyes) << sample.name;
-    EXPECT_EQ(general.state().withdrawn, 0u) << sample.name;
-  }
-}
-
-// All spans of all rows from one eye on one side of a hemicube.
-std::vector<std::uint32_t> spans_seen(State& state, const EyePoint& eye, int side, bool depths_first) {
-  const DeltaTable& table = state.settings.tables[0];
+// All spans of a band of lunes from one eye.
+std::vector<std::uint32_t> spans_seen(State& state, const EyePoint& eye, bool depths_first) {
+  const DeltaTable& table = *lune_table(32);
   Workspace& work = state.work;
   make_view(state.scene, eye, Backs::all, work);
   if (depths_first) {
     make_depths(state.scene, eye, work);
   }
-  for (int turn = kTop + 1; turn <= side; ++turn) {
-    turn_view(turn, state.scene.vertex_count, work);
-  }
-  enter_side_band(state.scene, table, side, 0, kBandRows, work);
-  VisibleSpans visible(state.scene, eye, side, work);
+  enter_band(state.scene, table, 0, kBandRows, work);
+  VisibleSpans visible(state.scene, eye, work);
   std::vector<std::uint32_t> seen;
   for (int r = 0; r < kBandRows; ++r) {
     EXPECT_TRUE(find_visible(state.scene, band_row(table, 0, r), work, visible));
@@ -164,19 +140,32 @@ std::vector<std::uint32_t> spans_seen(State& state, const EyePoint& eye, int sid
   return seen;
 }
 
+void expect_equal_spans(Solution& solution) {
+  State& state = solution.state();
+  for (std::uint32_t e = 0; e < state.scene.element_count; ++e) {
+    for (std::uint8_t turn = 0; turn < kTurns; ++turn) {
+      const EyePoint eye = element_eye(state.scene, e, turn);
+      ASSERT_EQ(spans_seen(state, eye, false), spans_seen(state, eye, true))
+          << "element " << e << " turn " << int{turn};
+    }
+  }
+}
+
+TEST(Depth, LeftOutInConvexScenesChangesNoSpan) {
+  for (Sample& sample : convex_scenes()) {
+    SCOPED_TRACE(sample.name);
+    Solution solution(std::move(sample.model), lune_options());
+    ASSERT_NO_FATAL_FAILURE(expect_equal_spans(solution));
+  }
+}
+
 TEST(Depth, MadeAtTheFirstMeetingShowsWhatDepthMadeBeforehandShows) {
   for (std::uint32_t seed = 0; seed < 8; ++seed) {
-    SolveOptions options = options_of(hemicube_rows);
+    SCOPED_TRACE(seed);
+    SolveOptions options = lune_options();
     options.spans = 400;
     Solution solution(random_open_room(seed), options);
-    State& state = solution.state();
-    for (std::uint32_t e = 0; e < state.scene.element_count; ++e) {
-      const EyePoint eye = element_eye(state.scene, e, static_cast<std::uint8_t>(e % kTurns));
-      for (int side = 0; side < kSides; ++side) {
-        ASSERT_EQ(spans_seen(state, eye, side, false), spans_seen(state, eye, side, true))
-            << "seed " << seed << " element " << e << " side " << side;
-      }
-    }
+    ASSERT_NO_FATAL_FAILURE(expect_equal_spans(solution));
   }
 }
 

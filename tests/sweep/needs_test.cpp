@@ -77,7 +77,7 @@ TEST(Needs, AreToldWithoutInstructionsWhereNoCoreHasBeenMeasured) {
   const SceneNeeds needs =
       find_needs(sample("closed_box")->prepared, options, *find_cost_model("cortex-m0"), {});
   EXPECT_FALSE(needs.cost.has_value());
-  EXPECT_THAT(names(needs), ElementsAre("channels", "depth"));
+  EXPECT_THAT(names(needs), ElementsAre("channels"));
   EXPECT_GT(needs.omissions[0].ram, 0u);
   EXPECT_FALSE(needs.omissions[0].cost.has_value());
 }
