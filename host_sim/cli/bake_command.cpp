@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -117,6 +118,16 @@ std::string summary(const BakeResult& result) {
   return text.str();
 }
 
+// What is not shown need not be gathered, unless it was asked for.
+bool is_to_gather(const CommonOptions& options) {
+  const bool is_shown =
+      std::any_of(options.outputs.begin(), options.outputs.end(), [](const std::string& output) {
+        const std::string suffix = std::filesystem::path(output).extension().string();
+        return suffix != ".csv" && suffix != ".json";
+      });
+  return options.gathers_display.value_or(is_shown);
+}
+
 }  // namespace
 
 int run_bake(const CommonOptions& options) {
@@ -134,7 +145,7 @@ int run_bake(const CommonOptions& options) {
       return bar.update(shots, unshot, seconds);
     };
     result = bake(scene->prepared, options.bake, progress, frames.observer(options));
-    if (options.gathers_display && !result.interrupted) {
+    if (is_to_gather(options) && !result.interrupted) {
       result.interrupted = !gather_display(result, options.display_mesh, progress);
     }
   }

@@ -129,9 +129,8 @@ void add_display_options(CLI::App& command, CommonOptions& options) {
       .add_option_function<std::string>(
           "--display", [&options](const std::string& how) { options.gathers_display = how == "gather"; },
           "Vertex colours by a gather at each vertex, on a mesh cut where the light bends, or by the mean of "
-          "the elements round it")
-      ->check(CLI::IsMember({"gather", "mean"}))
-      ->default_str("gather");
+          "the elements round it; gather where a file shows vertices (.hpp .glb .ply .png)")
+      ->check(CLI::IsMember({"gather", "mean"}));
   add_display_edge(command, options);
 }
 

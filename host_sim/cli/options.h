@@ -35,7 +35,7 @@ struct CommonOptions {
   std::uint32_t points = 0;       ///< that compare measures irradiance at
   std::string points_truth;       ///< file of the truth there
   bool points_only = false;
-  bool gathers_display = true;  ///< vertex colours by a gather, else the mean round each vertex
+  std::optional<bool> gathers_display;  ///< vertex colours by a gather, else the mean; unset: where shown
   DisplayOptions display_mesh;
 };
 

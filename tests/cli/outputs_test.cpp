@@ -146,5 +146,24 @@ TEST(Outputs, OneBadFileStopsTheRunBeforeAnyIsWritten) {
   EXPECT_TRUE(names_in(folder / "").empty());
 }
 
+TEST(Display, IsGatheredWhereAFileShowsVerticesAndSaysSo) {
+  const ScratchFolder folder;
+  const std::string scene = sample_scene("portico"), json = folder / "a.json";
+  const Outcome run = run_tool({"bake", scene, "--profile", "small", "-o", folder / "a.ply", "-o", json});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.err.find("vertices, each gathered, in "), std::string::npos) << run.err;
+  const auto shown = nlohmann::json::parse(contents(json));
+  EXPECT_EQ(shown["display"], "gather");
+  EXPECT_GT(shown["display_seconds"].get<double>(), 0.0);
+  const auto mean = baked_json(scene, {"--profile", "small", "--display", "mean"});
+  EXPECT_EQ(mean["display"], "mean");
+  EXPECT_EQ(mean["display_digest"], mean["digest"]);
+  EXPECT_EQ(mean["digest"], shown["digest"]) << "the display changes no solution";
+  EXPECT_LT(mean["vertices"].get<int>(), shown["vertices"].get<int>());
+  EXPECT_EQ(baked_json(scene, {"--profile", "small"})["display"], "mean") << "nothing shows vertices";
+  EXPECT_EQ(baked_json(scene, {"--profile", "small", "--display", "gather"})["display_digest"],
+            shown["display_digest"]);
+}
+
 }  // namespace
 }  // namespace fixrad::host::testing

@@ -44,6 +44,51 @@ TEST(Compare, ItsTwoIndependentReferencesAgree) {
   EXPECT_LE(json["refined"]["against_truth"].get<double>(), 0.003);
 }
 
+TEST(Compare, MeasuresIrradianceAtPointsAndKeepsTheTruth) {
+  const ScratchFolder folder;
+  const std::vector<std::string> command = {"compare",
+                                            sample_scene("parallel_plates"),
+                                            "--elements",
+                                            "60",
+                                            "--points",
+                                            "64",
+                                            "--points-only",
+                                            "--points-truth",
+                                            folder / "truth.json",
+                                            "--json",
+                                            folder / "errors.json"};
+  const Outcome run = run_tool(command);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto points = nlohmann::json::parse(contents(folder / "errors.json"))["points"];
+  EXPECT_EQ(points["count"], 64);
+  const char* names[] = {"flat", "mean", "gather", "at the point"};
+  ASSERT_EQ(points["errors"].size(), 4u);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_EQ(points["errors"][k]["name"], names[k]);
+    EXPECT_THAT(run.out, HasSubstr("\n  " + std::string(names[k]) + " "));
+  }
+  EXPECT_LE(points["errors"][2]["mean"].get<double>(), 0.02);
+  const std::string truth = contents(folder / "truth.json");
+  ASSERT_EQ(run_tool(command).exit_code, 0);
+  EXPECT_EQ(contents(folder / "truth.json"), truth);
+  const auto again = nlohmann::json::parse(contents(folder / "errors.json"))["points"];
+  EXPECT_EQ(again["errors"][2]["mean"], points["errors"][2]["mean"]);
+}
+
+TEST(Compare, RefusesATruthOfOtherPoints) {
+  const ScratchFolder folder;
+  const std::string file = folder / "truth.json";
+  ASSERT_EQ(run_tool({"compare", sample_scene("parallel_plates"), "--points", "16", "--points-only",
+                      "--points-truth", file})
+                .exit_code,
+            0);
+  const Outcome run = run_tool(
+      {"compare", sample_scene("closed_box"), "--points", "16", "--points-only", "--points-truth", file});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err,
+              HasSubstr(file + ": error: the points are of another scene or number; delete the file"));
+}
+
 TEST(Compare, RefusesWhatCannotBeReplayed) {
   const Outcome run = run_tool({"compare", sample_scene("closed_box"), "--solver", "gathering"});
   EXPECT_EQ(run.exit_code, 1);
