@@ -27,7 +27,7 @@ irradiance, all points and channels. Irradiance is told in four ways, all from t
 - *mean round each vertex*: interpolated between vertex colours that are the mean of the elements that meet there;
 - *gather at each vertex*: between vertex colours that were gathered from all elements by the core's own hemisphere, on
   triangles that are cut where the gathered light bends: what `fixrad bake` writes;
-- *gather at the point*: the same hemisphere at each of the 1,000 points. Interpolation cannot be better than this.
+- *gather at the point*: the same hemisphere at each of the 1,000 points. Interpolation can hardly be better.
 """
 
 TABLE = """

@@ -72,10 +72,11 @@ Traced trace(const LoadedScene& scene, const std::vector<MeshElement>& polygons,
     throw InputError(scene.model.path + ": error: no surface that reflects can be seen; leave out --points");
   }
   std::vector<SurfacePoint> places;
+  places.reserve(points.size());
   for (const SamplePoint& point : points) {
     places.push_back(point.surface);
   }
-  const Traced truth = path_traced_irradiance(polygons, places);
+  Traced truth = path_traced_irradiance(polygons, places);
   if (!file.empty()) {
     write_truth(file, points, truth);
   }
