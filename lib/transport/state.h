@@ -87,8 +87,8 @@ struct State {
   bool is_enclosed;       ///< and no light can escape
 };
 
-/// A sum of flux over the carried channels as it decides who shoots and how. The channel of a grey scene stands
-/// for three equal ones, so that both make the same decisions, to the bit.
+/// A sum of flux over the carried channels as it decides who shoots and how. The channel of a grey scene
+/// stands for three equal ones, so that both make the same decisions, to the bit.
 inline uint64_t flux_meant(uint64_t sum, uint8_t carried) {
   return carried == 1 ? sum + 2 * sum : sum;
 }

@@ -19,7 +19,8 @@ constexpr uint32_t account_words(uint32_t elements, uint32_t faces) {
 /// What element `e` has sent on of what it has received. Needs sweep.kind != face.
 uint32_t sent_flux(const State& state, uint16_t e, int c);
 
-/// Unshot flux of a source of the kind that shoots now, one a channel; returns flux_meant() of the magnitudes.
+/// Unshot flux of a source of the kind that shoots now, one a channel; returns flux_meant() of the
+/// magnitudes.
 uint64_t unshot_of(const State& state, const EyeSource& source, Flux* unshot);
 
 /// What `source` can send now: its unshot flux, where its account can hold the sum that it has sent, and what
