@@ -41,7 +41,9 @@ unsigned level_for(uint32_t wanted);
 /// One eye of an element: quarters of a grid unit.
 struct EyeCandidate {
   Vec3 position;
-  bool is_used;  ///< an element cut by the face's border has its centroid for all eyes, and only one counts
+  /// An element that is not a whole cell has its centroid for all eyes, and only one counts: others might lie
+  /// outside of it, and behind a wall.
+  bool is_used;
 };
 
 /// Eye `index` (0 .. level^2 - 1) of `element`. Eyes of a whole cell are the centres of a level x level

@@ -54,6 +54,7 @@ TEST(AdaptiveMesh, GivesASceneTheCoreAcceptsAndSolvesWithoutLoss) {
     Adaptive mesh(random_closed_room(seed), 250);
     Settings settings = lune_settings(32, fraction(1, 1000));
     settings.overshoot = true;
+    settings.flux_per_eye = fraction(1, 2000);  // as many eyes as there are; none may leave its element
     const Sizes sizes = sizes_for(mesh.device, 0, settings);
     find_sights(mesh.device, sizes);
     SimulatedDevice solver(sizes);
