@@ -20,7 +20,7 @@ if [ $# -gt 1 ] || [ ! -x "$tool" ]; then
 fi
 
 # Scene (or name=scene), profile, options of fixrad export. cornell_quick is the least work with which 250 elements stay
-# within 0.8 % of the truth,. Mesh and precision of the larger profiles are limited so that a run in an
+# within 0.8 % of the truth. Mesh and precision of the larger profiles are limited so that a run in an
 # emulator takes seconds; most of all in the white room, which reflects its light twenty times.
 list='
 cornell tiny --elements 120 --flux-per-row 0.00055

@@ -223,14 +223,12 @@ CellPoint cell_point(const Face& face, const ElementCells& cells, const Vec3& po
           cell_coordinate(grid_lines(face, v, u, face.cells_v, -1), point, cells.first_v)};
 }
 
-void cut_polygon(const Face& face, const ElementCells& cells, const Cut& cut, const Polygon& whole,
-                 Polygon& left, Polygon& right) {
+void cut_polygon(const Face& face, const ElementCells& cells, const Cut& cut, bool is_right,
+                 Polygon& polygon) {
   const Vec3 u = vec(face.axis_u), v = vec(face.axis_v);
   const GridLines columns = grid_lines(face, u, v, face.cells_u, 1);
   const GridLines rows = grid_lines(face, v, u, face.cells_v, -1);
-  left = right = whole;
-  clip(CutLine{columns, rows, cells, cut, false}, left);
-  clip(CutLine{columns, rows, cells, cut, true}, right);
+  clip(CutLine{columns, rows, cells, cut, is_right}, polygon);
 }
 
 namespace {
@@ -245,7 +243,7 @@ int64_t triangle(const Face& face, const Polygon& polygon, int k) {
   return area > 0 ? area : 0;
 }
 
-constexpr int kWeightBits = 24;  // of a fan's triangles, together
+constexpr int kMomentBits = 24;  // of a fan's triangles, together
 
 }  // namespace
 
@@ -254,7 +252,7 @@ PolygonMoments moments_of(const Face& face, const Polygon& polygon) {
   for (int k = 1; k + 1 < polygon.count; ++k) {
     area += triangle(face, polygon, k);
   }
-  const int shift = wide_bits(area) > kWeightBits ? wide_bits(area) - kWeightBits : 0;
+  const int shift = wide_bits(area) > kMomentBits ? wide_bits(area) - kMomentBits : 0;
   int64_t weight = 0, x = 0, y = 0, z = 0;
   for (int k = 1; k + 1 < polygon.count; ++k) {
     const Vec3 a = polygon.corner[0], b = polygon.corner[k], c = polygon.corner[k + 1];

@@ -75,9 +75,9 @@ struct CellPoint {
 };
 CellPoint cell_point(const Face& face, const ElementCells& cells, const Vec3& point);
 
-/// What a further cut leaves of the polygon of an element to its left and to its right. Cost: two clips.
-void cut_polygon(const Face& face, const ElementCells& cells, const Cut& cut, const Polygon& whole,
-                 Polygon& left, Polygon& right);
+/// What a further cut leaves of the polygon of an element to its left, or to its right. Cost: a clip.
+void cut_polygon(const Face& face, const ElementCells& cells, const Cut& cut, bool is_right,
+                 Polygon& polygon);
 
 /// Area and centroid of a polygon of `face`. Cost: two cross products and 64-bit products a corner, three
 /// divisions.

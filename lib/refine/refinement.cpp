@@ -95,6 +95,13 @@ struct Extents {
   bool is_long_u, is_long_v;
 };
 
+// An element's polygon takes 250 bytes of stack, so no function keeps one while it looks.
+struct Shape {
+  Vec3 centroid;
+  int corners;
+  Extents extents;
+};
+
 Extents extents_of(const Face& face, const ElementCells& cells, const Polygon& polygon) {
   CellPoint low = cell_point(face, cells, polygon.corner[0]), high = low;
   for (int k = 1; k < polygon.count; ++k) {
@@ -107,6 +114,31 @@ Extents extents_of(const Face& face, const ElementCells& cells, const Polygon& p
   const int64_t length_v = v * max_magnitude(vec(face.axis_v)) / face.cells_v;
   return {static_cast<int32_t>(u), static_cast<int32_t>(v), length_u > kTooLong * length_v,
           length_v > kTooLong * length_u};
+}
+
+__attribute__((noinline)) Shape shape_of(const Scene& scene, const Face& face, const ElementCells& cells) {
+  Polygon polygon;
+  element_polygon(scene, face, cells, polygon);
+  return {moments_of(face, polygon).centroid, polygon.count, extents_of(face, cells, polygon)};
+}
+
+// A sample between the centroid and corner `k`.
+__attribute__((noinline)) Vec3 sample_point(const Scene& scene, const Face& face, const ElementCells& cells,
+                                            const Vec3& centroid, int k) {
+  Polygon polygon;
+  element_polygon(scene, face, cells, polygon);
+  const Vec3 way = polygon.corner[k] - centroid;
+  return {centroid.x + way.x * kWay / kWholeWay, centroid.y + way.y * kWay / kWholeWay,
+          centroid.z + way.z * kWay / kWholeWay};
+}
+
+__attribute__((noinline)) PolygonMoments part_of_element(const Scene& scene, const Face& face,
+                                                         const ElementCells& cells, const Cut& cut,
+                                                         bool is_right) {
+  Polygon polygon;
+  element_polygon(scene, face, cells, polygon);
+  cut_polygon(face, cells, cut, is_right, polygon);
+  return moments_of(face, polygon);
 }
 
 // The change of light along one axis, from samples on both sides of the centroid.
@@ -126,19 +158,15 @@ Status estimate(State& state, RefinedScene& tables, const DeltaTable& table, uin
   }
   const Face& face = light.face();
   const ElementCells cells = cells_of(state.scene, face, e);
-  Polygon polygon;
-  element_polygon(state.scene, face, cells, polygon);
-  const Vec3 middle = moments_of(face, polygon).centroid;
-  const CellPoint centre = cell_point(face, cells, middle);
+  const Shape shape = shape_of(state.scene, face, cells);
+  const CellPoint centre = cell_point(face, cells, shape.centroid);
   Irradiance irradiance;
-  Status status = light.look(middle, irradiance);
+  Status status = light.look(shape.centroid, irradiance);
   const uint32_t at_middle = light.reflected(irradiance);
   uint32_t low = at_middle, high = at_middle;
   int64_t change_u = 0, change_v = 0;
-  for (int k = 0; k < polygon.count && status == Status::ok; ++k) {
-    const Vec3 way = polygon.corner[k] - middle;
-    const Vec3 point = {middle.x + way.x * kWay / kWholeWay, middle.y + way.y * kWay / kWholeWay,
-                        middle.z + way.z * kWay / kWholeWay};
+  for (int k = 0; k < shape.corners && status == Status::ok; ++k) {
+    const Vec3 point = sample_point(state.scene, face, cells, shape.centroid, k);
     status = light.look(point, irradiance);
     const uint32_t there = light.reflected(irradiance);
     low = there < low ? there : low;
@@ -151,7 +179,7 @@ Status estimate(State& state, RefinedScene& tables, const DeltaTable& table, uin
   if (status != Status::ok) {
     return status;
   }
-  const Extents size = extents_of(face, cells, polygon);
+  const Extents& size = shape.extents;
   const bool cuts_u = size.is_long_u || (!size.is_long_v && size_of(change_u) >= size_of(change_v));
   const uint64_t error = wide_product(high - low, light.element().area) >> kErrorShift;
   const uint32_t kept = error < 0xffffffffu ? static_cast<uint32_t>(error) : 0xffffffffu;
@@ -177,15 +205,13 @@ Status plan_parts(State& state, const DeltaTable& table, uint16_t e, bool cuts_u
   ElementLight light(state, table, e);
   const Face& face = light.face();
   const ElementCells cells = cells_of(state.scene, face, e);
-  Polygon whole, left, right;
-  element_polygon(state.scene, face, cells, whole);
-  const CellPoint centre = cell_point(face, cells, moments_of(face, whole).centroid);
+  const CellPoint centre = cell_point(face, cells, shape_of(state.scene, face, cells).centroid);
   const int16_t offset = static_cast<int16_t>(-floor_shift(cuts_u ? centre.u : centre.v, 16 - kCutBits));
   const int16_t one = 1 << kCutBits, none = 0;
   parts.split.parent = e;
   parts.split.cut = {cuts_u ? one : none, cuts_u ? none : one, offset, 0, 0};
-  cut_polygon(face, cells, parts.split.cut, whole, left, right);
-  const PolygonMoments moments[2] = {moments_of(face, left), moments_of(face, right)};
+  const PolygonMoments moments[2] = {part_of_element(state.scene, face, cells, parts.split.cut, false),
+                                     part_of_element(state.scene, face, cells, parts.split.cut, true)};
   const uint64_t sum = moments[0].area + moments[1].area;
   const int shift = bit_length(static_cast<uint32_t>(sum >> 32));
   const uint32_t all = static_cast<uint32_t>(sum >> shift);

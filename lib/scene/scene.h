@@ -73,7 +73,7 @@ constexpr uint16_t kLeaf = 0x8000;
 constexpr int kCutBits = 9;
 
 /// Cuts on the way from a cell to any of its elements.
-constexpr int kMostCuts = 12;
+constexpr int kMostCuts = 8;
 
 /// Elements are ordered by face.
 struct Element {

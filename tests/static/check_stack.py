@@ -21,18 +21,22 @@ from call_graph import INDIRECT_CALL, Function, Refused, demangled, read_ci
 
 # What may be called through a pointer, by caller. Settings::engine is called where an eye is sampled; a firmware's
 # Settings::observer is null; which of the functions round look() the compiler has merged with it differs.
-# Functions that work pair by pair keep polygons on the stack: an ATmega2560 has none for them, and the programs of
-# the project do not name them.
+# Functions that work pair by pair keep polygons on the stack, 2.6 KB in all: chips of 16 KB and less have none for
+# them, and the programs of the project do not name them.
 NEAR_FIELD = ("correct_near_field",)
 PAIRS = ("ray_row", "contour_row", "add_pairs") + NEAR_FIELD
 # A picture has highlights only where its scene names the function for them; an ATmega2560's does not.
 HIGHLIGHTS = ("add_highlights",)
 ENGINES = ("hemicube_rows", "lune_rows", "hemicube_pixels", "ray_row", "contour_row")
+# Bytes of stack of a chip of 16 KB, and less.
+SMALL = 2048
+# A chip gathers, and refines its mesh, by rows.
+ROWS = ("hemicube_rows", "lune_rows", "hemicube_pixels")
 INDIRECT = (
     *((name, ENGINES) for name in ("look", "look_from_centroid", "sample", "sample_buried", "sample_group",
                                    "sample_element", "sample_source")),
     ("sample_matrix_row", ENGINES + NEAR_FIELD),
-    ("gather_irradiance", ENGINES),
+    ("gather_irradiance", ROWS),
     ("withdraw", ()),
     # Start-up code calls the static constructors, then main().
     ("reset_handler", ("_GLOBAL__sub_I_*",)),
@@ -146,8 +150,10 @@ def main():
         functions = read_objects(options.objects, options.prefix)
         for name in options.leaf:
             functions.setdefault(name, Function(name)).frame = 0
-        without_pairs = options.root is not None or options.prefix == "avr-"
-        depths = Depths(functions, options.prefix, PAIRS + HIGHLIGHTS if without_pairs else ())
+        is_program = options.root is not None
+        unused = PAIRS if is_program or options.budget <= SMALL else ()
+        unused += HIGHLIGHTS if is_program or options.prefix == "avr-" else ()
+        depths = Depths(functions, options.prefix, unused)
         titles = [t for name, ts in depths.by_name.items() for t in ts
                   if options.root in (None, name) and name not in depths.unused]
         if not titles:

@@ -73,7 +73,7 @@ TEST(Needs, SaveAPartOfTheInstructionsAndNeverMoreThanAllOfThem) {
 
 TEST(Needs, AreToldWithoutInstructionsWhereNoCoreHasBeenMeasured) {
   BakeOptions options = on_profile("small");
-  options.engine = "rows";
+  options.engine = "rays";
   const SceneNeeds needs =
       find_needs(sample("closed_box")->prepared, options, *find_cost_model("cortex-m0"), {});
   EXPECT_FALSE(needs.cost.has_value());

@@ -75,9 +75,22 @@ int main() {
   for (uint16_t i = 0; i < 6; ++i) {
     set_face(i, i / 2u, i % 2 != 0);
   }
-  const fixrad::Scene scene = {vertices, corners, faces, cell_rows, elements, patches, patch_elements,
-                               &kHalf,   nullptr, 8,     24,        6,        6,       6,
-                               6,        1,       1,     17,        20};
+  fixrad::Scene scene = {};
+  scene.vertices = vertices;
+  scene.corners = corners;
+  scene.faces = faces;
+  scene.cell_rows = cell_rows;
+  scene.elements = elements;
+  scene.patches = patches;
+  scene.patch_elements = patch_elements;
+  scene.materials = &kHalf;
+  scene.vertex_count = 8;
+  scene.corner_count = 24;
+  scene.face_count = scene.cell_row_count = scene.element_count = scene.patch_count = 6;
+  scene.material_count = 1;
+  scene.channels = 1;
+  scene.emission_shift = 17;
+  scene.radiosity_shift = 20;
 
   static fixrad::Solver<fixrad::Limits<8, 6, 6>> solver;
   fixrad::Status status = solver.load(scene);
