@@ -333,6 +333,8 @@ static inline fixrad::Scene scene() {
   result.corners = kCorners;
   result.faces = kFaces;
   result.cell_rows = kCellRows;
+  result.roots = nullptr;
+  result.cuts = nullptr;
   result.elements = kElements;
   result.patches = kPatches;
   result.patch_elements = kPatchElements;
@@ -342,6 +344,8 @@ static inline fixrad::Scene scene() {
   result.corner_count = 24;
   result.face_count = 6;
   result.cell_row_count = 36;
+  result.root_count = 0;
+  result.cut_count = 0;
   result.element_count = 216;
   result.patch_count = 54;
   result.material_count = 1;

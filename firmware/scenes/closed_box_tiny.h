@@ -177,6 +177,8 @@ static inline fixrad::Scene scene() {
   result.corners = kCorners;
   result.faces = kFaces;
   result.cell_rows = kCellRows;
+  result.roots = nullptr;
+  result.cuts = nullptr;
   result.elements = kElements;
   result.patches = kPatches;
   result.patch_elements = kPatchElements;
@@ -186,6 +188,8 @@ static inline fixrad::Scene scene() {
   result.corner_count = 24;
   result.face_count = 6;
   result.cell_row_count = 24;
+  result.root_count = 0;
+  result.cut_count = 0;
   result.element_count = 96;
   result.patch_count = 24;
   result.material_count = 1;

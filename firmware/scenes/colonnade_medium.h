@@ -1242,6 +1242,8 @@ static inline fixrad::Scene scene() {
   result.corners = kCorners;
   result.faces = kFaces;
   result.cell_rows = kCellRows;
+  result.roots = nullptr;
+  result.cuts = nullptr;
   result.elements = kElements;
   result.patches = kPatches;
   result.patch_elements = kPatchElements;
@@ -1251,6 +1253,8 @@ static inline fixrad::Scene scene() {
   result.corner_count = 232;
   result.face_count = 58;
   result.cell_row_count = 205;
+  result.root_count = 0;
+  result.cut_count = 0;
   result.element_count = 740;
   result.patch_count = 177;
   result.material_count = 3;

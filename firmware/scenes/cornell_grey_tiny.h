@@ -352,6 +352,8 @@ static inline fixrad::Scene scene() {
   result.corners = kCorners;
   result.faces = kFaces;
   result.cell_rows = kCellRows;
+  result.roots = nullptr;
+  result.cuts = nullptr;
   result.elements = kElements;
   result.patches = kPatches;
   result.patch_elements = kPatchElements;
@@ -361,6 +363,8 @@ static inline fixrad::Scene scene() {
   result.corner_count = 78;
   result.face_count = 20;
   result.cell_row_count = 56;
+  result.root_count = 0;
+  result.cut_count = 0;
   result.element_count = 196;
   result.patch_count = 45;
   result.material_count = 4;

@@ -1425,6 +1425,8 @@ static inline fixrad::Scene scene() {
   result.corners = kCorners;
   result.faces = kFaces;
   result.cell_rows = kCellRows;
+  result.roots = nullptr;
+  result.cuts = nullptr;
   result.elements = kElements;
   result.patches = kPatches;
   result.patch_elements = kPatchElements;
@@ -1434,6 +1436,8 @@ static inline fixrad::Scene scene() {
   result.corner_count = 78;
   result.face_count = 20;
   result.cell_row_count = 124;
+  result.root_count = 0;
+  result.cut_count = 0;
   result.element_count = 979;
   result.patch_count = 201;
   result.material_count = 4;

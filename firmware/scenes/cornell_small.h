@@ -432,6 +432,8 @@ static inline fixrad::Scene scene() {
   result.corners = kCorners;
   result.faces = kFaces;
   result.cell_rows = kCellRows;
+  result.roots = nullptr;
+  result.cuts = nullptr;
   result.elements = kElements;
   result.patches = kPatches;
   result.patch_elements = kPatchElements;
@@ -441,6 +443,8 @@ static inline fixrad::Scene scene() {
   result.corner_count = 78;
   result.face_count = 20;
   result.cell_row_count = 62;
+  result.root_count = 0;
+  result.cut_count = 0;
   result.element_count = 254;
   result.patch_count = 55;
   result.material_count = 4;

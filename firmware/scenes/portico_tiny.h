@@ -301,6 +301,8 @@ static inline fixrad::Scene scene() {
   result.corners = kCorners;
   result.faces = kFaces;
   result.cell_rows = kCellRows;
+  result.roots = nullptr;
+  result.cuts = nullptr;
   result.elements = kElements;
   result.patches = kPatches;
   result.patch_elements = kPatchElements;
@@ -310,6 +312,8 @@ static inline fixrad::Scene scene() {
   result.corner_count = 64;
   result.face_count = 16;
   result.cell_row_count = 48;
+  result.root_count = 0;
+  result.cut_count = 0;
   result.element_count = 158;
   result.patch_count = 31;
   result.material_count = 3;

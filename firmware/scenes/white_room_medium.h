@@ -250,6 +250,8 @@ static inline fixrad::Scene scene() {
   result.corners = kCorners;
   result.faces = kFaces;
   result.cell_rows = kCellRows;
+  result.roots = nullptr;
+  result.cuts = nullptr;
   result.elements = kElements;
   result.patches = kPatches;
   result.patch_elements = kPatchElements;
@@ -259,6 +261,8 @@ static inline fixrad::Scene scene() {
   result.corner_count = 40;
   result.face_count = 10;
   result.cell_row_count = 34;
+  result.root_count = 0;
+  result.cut_count = 0;
   result.element_count = 141;
   result.patch_count = 37;
   result.material_count = 2;

@@ -402,6 +402,8 @@ static inline fixrad::Scene scene() {
   result.corners = kCorners;
   result.faces = kFaces;
   result.cell_rows = kCellRows;
+  result.roots = nullptr;
+  result.cuts = nullptr;
   result.elements = kElements;
   result.patches = kPatches;
   result.patch_elements = kPatchElements;
@@ -411,6 +413,8 @@ static inline fixrad::Scene scene() {
   result.corner_count = 40;
   result.face_count = 10;
   result.cell_row_count = 46;
+  result.root_count = 0;
+  result.cut_count = 0;
   result.element_count = 255;
   result.patch_count = 56;
   result.material_count = 2;

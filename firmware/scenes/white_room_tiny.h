@@ -208,6 +208,8 @@ static inline fixrad::Scene scene() {
   result.corners = kCorners;
   result.faces = kFaces;
   result.cell_rows = kCellRows;
+  result.roots = nullptr;
+  result.cuts = nullptr;
   result.elements = kElements;
   result.patches = kPatches;
   result.patch_elements = kPatchElements;
@@ -217,6 +219,8 @@ static inline fixrad::Scene scene() {
   result.corner_count = 40;
   result.face_count = 10;
   result.cell_row_count = 31;
+  result.root_count = 0;
+  result.cut_count = 0;
   result.element_count = 110;
   result.patch_count = 29;
   result.material_count = 2;
