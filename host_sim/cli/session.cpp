@@ -88,6 +88,7 @@ std::vector<BakedLamp> lamps_of(const BakeResult& result) {
     }
   }
   std::vector<BakedLamp> list;
+  list.reserve(lamps.size());
   for (const auto& [key, lamp] : lamps) {
     list.push_back(lamp);
   }
