@@ -85,7 +85,7 @@ SurfacePoint TriangleShading::point() const {
     return {1, 0, 0};
   }
   const int shift = bit_length(sum) - 16;
-  const uint32_t reciprocal = 0x80000000ul / shifted(sum, shift);  // 2^15 .. 2^16
+  const uint32_t reciprocal = static_cast<uint32_t>(0x80000000ul / shifted(sum, shift));  // 2^15 .. 2^16
   SurfacePoint point;
   point.second = static_cast<int32_t>((shifted(part[1], shift) * reciprocal) >> 17);
   point.third = static_cast<int32_t>((shifted(part[2], shift) * reciprocal) >> 17);
