@@ -9,7 +9,7 @@
 #include <functional>
 
 #include "bench/bench_scene.h"
-#include "host_sim/reference/contact_cuts.h"
+#include "host_sim/meshing/contact_lines.h"
 #include "host_sim/reference/error_budget.h"
 #include "host_sim/reference/input_polygons.h"
 #include "host_sim/reference/path_tracer.h"
@@ -58,19 +58,20 @@ Outcome run_core(std::uint32_t elements, int resolution) {
           static_cast<double>(result.plan.sizes.elements), static_cast<double>(result.shots)};
 }
 
-// `cut`: on the mesh cut where faces touch, which the core's affine grids cannot be, instead of on the
-// core's.
+// `cut`: on the mesh cut where faces touch (the core's --mesh contacts) instead of on the core's uniform one.
 Outcome run_rays(std::uint32_t elements, std::uint32_t rays, bool cut, bool keep_pairs) {
   const PreparedScene& scene = bench_scene(kScene).prepared;
-  const DeviceScene device = make_device_scene(scene, make_uniform(scene, elements, elements));
-  const OverlappedMesh taken =
-      cut ? cut_at_contacts(scene, device) : OverlappedMesh{device.mesh, device.overlaps};
+  Meshing meshing = make_uniform(scene, elements, elements);
+  if (cut) {
+    cut_at_contacts(scene, meshing);
+  }
+  const DeviceScene device = make_device_scene(scene, meshing);
   RayCastOptions options;
   options.rays = rays;
   options.keep_pairs = keep_pairs;
-  const RayCastResult result = ray_cast_shooting(taken.mesh, options);
-  return {result.seconds, error_of(taken.overlaps, result.radiosity),
-          static_cast<double>(taken.mesh.elements.size()), static_cast<double>(result.shots)};
+  const RayCastResult result = ray_cast_shooting(device.mesh, options);
+  return {result.seconds, error_of(device.overlaps, result.radiosity),
+          static_cast<double>(device.mesh.elements.size()), static_cast<double>(result.shots)};
 }
 
 // Runs on three meshes about `elements` large and reports means.

@@ -37,7 +37,7 @@ The yardstick is progressive shooting in double with form factors by ray casting
 rays a pair of elements, in packets. *Anew* casts the rays of each shot, in memory that grows with the elements, as
 the core does; *kept* stores every pair once it is known, 4 bytes times the square of the elements, and uses it in
 both directions. *Same mesh* is the core's; *cut mesh* is cut where faces touch
-([contact_cuts.h](../host_sim/reference/contact_cuts.h)), which removes most of the mesh error of the Cornell box: on
+([contact_lines.h](../host_sim/meshing/contact_lines.h)), which removes most of the mesh error of the Cornell box: on
 the core's mesh, elements that lie across the foot of a block carry light under it. The core's choice of eye points
 avoids much of that, rays between areas do not. So the same mesh compares whole methods, the cut mesh the cost of
 visibility alone. Times stand on each method's frontier, the fastest of its settings for an error (interpolated
