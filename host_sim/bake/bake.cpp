@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "host_sim/bake/bake.h"
 
-#include <chrono>
 #include <cmath>
 
+#include "host_sim/bake/clock.h"
 #include "host_sim/simulate/eye_sights.h"
 #include "host_sim/simulate/sealed_bodies.h"
 
@@ -12,16 +12,6 @@ namespace {
 
 constexpr double kReportEvery = 0.05;  // seconds
 constexpr int kMostSweeps = 100000;
-
-class Clock {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 // Tells the caller how far the solution is, at most every kReportEvery seconds; false: stop.
 class Reporter {

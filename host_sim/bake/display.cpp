@@ -4,12 +4,12 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
 #include <utility>
 
+#include "host_sim/bake/clock.h"
 #include "host_sim/bake/point_gatherer.h"
 #include "host_sim/meshing/gather_points.h"
 #include "host_sim/meshing/surface_edges.h"
@@ -205,13 +205,13 @@ class DisplayBuilder {
 }  // namespace
 
 bool gather_display(BakeResult& result, const DisplayOptions& options, const Progress& progress) {
-  const auto start = std::chrono::steady_clock::now();
+  const Clock clock;
   DisplayBuilder builder(result, options, progress);
   if (!builder.build()) {
     return false;
   }
   builder.store(result);
-  result.display_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.display_seconds = clock.seconds();
   return true;
 }
 

@@ -10,7 +10,9 @@
 namespace fixrad::host {
 namespace {
 
-constexpr std::uint32_t kMostElements = 60000;  // the core numbers them in 16 bits
+constexpr const char* kUniform = "uniform";
+constexpr std::uint32_t kMostElements = 60000;     // the core numbers them in 16 bits
+constexpr std::uint32_t kMostCutElements = kLeaf;  // and those of cut cells in 15
 constexpr std::uint32_t kPiercing = 8;  // spans beyond twice the faces, for faces that pierce each other
 
 // Elements that a profile's accuracy needs: its own number, and several a face where there are many faces.
@@ -41,7 +43,8 @@ Engine engine_named(const std::string& name) {
   return name == "pixels" ? hemicube_pixels : (name == "rows" ? hemicube_rows : lune_rows);
 }
 
-Meshing make_mesh(const PreparedScene& scene, const std::string& kind, std::uint32_t elements) {
+Meshing make_mesh(const PreparedScene& scene, const std::string& kind, std::uint32_t wanted) {
+  const std::uint32_t elements = kind == kUniform ? wanted : std::min(wanted, kMostCutElements);
   const std::uint32_t patches = elements / kElementsOfPatch;
   if (kind == "adaptive") {
     return make_adaptive(scene, elements, patches);
@@ -54,13 +57,13 @@ Meshing make_mesh(const PreparedScene& scene, const std::string& kind, std::uint
 }
 
 BakePlan plan_for(const PreparedScene& scene, const BakeOptions& options, const Profile& profile,
-                  std::uint32_t elements) {
+                  const std::string& mesh, std::uint32_t elements) {
   const auto faces = static_cast<std::uint32_t>(scene.faces.size());
   const bool is_gathering = options.solver == "gathering";
   BakePlan plan;
   plan.profile = profile;
   plan.resolution = options.resolution.value_or(default_resolution(options.engine, profile));
-  plan.meshing = make_mesh(scene, options.mesh, elements);
+  plan.meshing = make_mesh(scene, mesh, elements);
   const auto channels = static_cast<std::uint32_t>(scene.channels);
   const std::uint32_t n = plan.meshing.element_count;
   plan.sizes = {static_cast<std::uint32_t>(scene.vertices.positions.size()),
@@ -110,13 +113,17 @@ BakePlan make_plan(const PreparedScene& scene, const BakeOptions& options) {
   std::uint32_t elements =
       std::min(kMostElements, options.elements.value_or(default_elements(profile, faces)));
   for (;;) {
-    BakePlan plan = plan_for(scene, options, profile, elements);
+    BakePlan plan = plan_for(scene, options, profile, kUniform, elements);
     if (options.elements && plan.sizes.elements > std::max(elements, faces)) {
       throw InputError(scene.model->path + ": error: more elements than faces are needed; raise --elements");
     }
     if (plan.sizes.elements > kMostElements) {
       throw InputError(scene.model->path + ": error: the scene has more than " +
                        std::to_string(kMostElements) + " faces; simplify it");
+    }
+    if (plan.ram() <= profile.ram_bytes && options.mesh != kUniform) {
+      plan =
+          plan_for(scene, options, profile, options.mesh, elements);  // takes long: once the memory is known
     }
     if (plan.ram() <= profile.ram_bytes) {
       return plan;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "host_sim/cli/compare_points.h"
 
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 
+#include "host_sim/bake/clock.h"
 #include "host_sim/bake/point_gatherer.h"
 #include "host_sim/meshing/gather_points.h"
 #include "host_sim/reference/input_polygons.h"
@@ -14,16 +14,6 @@
 
 namespace fixrad::host {
 namespace {
-
-class Clock {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 nlohmann::json as_json(glm::dvec3 a) {
   return {a.x, a.y, a.z};

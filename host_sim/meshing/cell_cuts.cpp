@@ -7,7 +7,6 @@
 #include <limits>
 #include <utility>
 
-#include "host_sim/meshing/segment_part.h"
 #include "lib/scene/scene.h"
 
 namespace fixrad::host {
@@ -131,6 +130,15 @@ Line2d line_through(glm::dvec2 a, glm::dvec2 b) {
   return {normal, glm::dot(normal, a)};
 }
 
+SegmentPart part_within(const Polygon2d& polygon, glm::dvec2 a, glm::dvec2 b) {
+  SegmentPart part;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Line2d side = line_through(polygon[i], polygon[(i + 1) % polygon.size()]);
+    part.keep_where(glm::dot(side.normal, a) - side.offset, glm::dot(side.normal, b) - side.offset);
+  }
+  return part;
+}
+
 bool cut_element(const FaceFrame& frame, FaceElements& face, std::size_t index, const Line2d& line,
                  const LeastPart& least) {
   const CellElement whole = face.elements[index];
@@ -167,12 +175,7 @@ int cut_along(const FaceFrame& frame, FaceElements& face, glm::dvec2 a, glm::dve
   const Line2d line = line_through(a, b);
   int cuts = 0;
   for (std::size_t e = 0, count = face.elements.size(); e < count; ++e) {
-    const Polygon2d& outline = face.elements[e].outline;
-    SegmentPart part;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const Line2d side = line_through(outline[i], outline[(i + 1) % outline.size()]);
-      part.keep_where(glm::dot(side.normal, a) - side.offset, glm::dot(side.normal, b) - side.offset);
-    }
+    const SegmentPart part = part_within(face.elements[e].outline, a, b);
     cuts += part.length() * length > reach && cut_element(frame, face, e, line, least) ? 1 : 0;
   }
   return cuts;

@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 
 #include "host_sim/meshing/element_grid.h"
+#include "host_sim/meshing/segment_part.h"
 
 namespace fixrad::host {
 
@@ -16,6 +17,9 @@ struct Line2d {
 
 /// The line from a to b; dot(normal, p) > offset to its left.
 Line2d line_through(glm::dvec2 a, glm::dvec2 b);
+
+/// The part of the segment from a to b that lies within a convex polygon.
+SegmentPart part_within(const Polygon2d& polygon, glm::dvec2 a, glm::dvec2 b);
 
 /// How small the parts of a cut may be.
 struct LeastPart {

@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 
 #include "host_sim/meshing/cell_cuts.h"
-#include "host_sim/meshing/segment_part.h"
 
 namespace fixrad::host {
 namespace {
@@ -56,16 +55,6 @@ double depth_in(const FaceFrame& frame, glm::dvec3 p) {
   return depth;
 }
 
-// What the face leaves of the edge.
-SegmentPart part_in(const FaceFrame& frame, glm::dvec2 a, glm::dvec2 b) {
-  SegmentPart part;
-  for (std::size_t i = 0; i < frame.outline.size(); ++i) {
-    const Line2d side = line_through(frame.outline[i], frame.outline[(i + 1) % frame.outline.size()]);
-    part.keep_where(glm::dot(side.normal, a) - side.offset, glm::dot(side.normal, b) - side.offset);
-  }
-  return part;
-}
-
 }  // namespace
 
 std::vector<ContactLine> contact_lines(const PreparedScene& scene) {
@@ -78,7 +67,7 @@ std::vector<ContactLine> contact_lines(const PreparedScene& scene) {
         continue;
       }
       const glm::dvec2 a = frame.to_frame(edge.a), b = frame.to_frame(edge.b);
-      const SegmentPart part = part_in(frame, a, b);
+      const SegmentPart part = part_within(frame.outline, a, b);
       const glm::dvec2 from = glm::mix(a, b, part.begin), to = glm::mix(a, b, part.end);
       const glm::dvec3 middle = frame.to_grid((from + to) / 2.0);
       if (part.length() * glm::distance(edge.a, edge.b) > kShortest && depth_in(frame, middle) > kShortest) {

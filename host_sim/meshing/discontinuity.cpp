@@ -12,7 +12,6 @@
 #include "host_sim/meshing/cell_cuts.h"
 #include "host_sim/meshing/critical_lines.h"
 #include "host_sim/meshing/element_light.h"
-#include "host_sim/meshing/segment_part.h"
 
 namespace fixrad::host {
 namespace {
@@ -116,12 +115,7 @@ Cutter::Cutter(const PreparedScene& scene, Meshing& meshing, const Discontinuity
 }
 
 bool Cutter::crosses(const CriticalLine& line, const Polygon2d& polygon) const {
-  SegmentPart part;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Line2d side = line_through(polygon[k], polygon[(k + 1) % polygon.size()]);
-    part.keep_where(glm::dot(side.normal, line.a) - side.offset, glm::dot(side.normal, line.b) - side.offset);
-  }
-  return part.length() * line.length > kLeastCrossing;
+  return part_within(polygon, line.a, line.b).length() * line.length > kLeastCrossing;
 }
 
 double Cutter::error_after(std::uint32_t f, const Polygon2d& border, const std::vector<LightSample>& samples,

@@ -12,7 +12,6 @@
 
 #include "host_sim/meshing/cell_cuts.h"
 #include "host_sim/meshing/contact_lines.h"
-#include "host_sim/meshing/segment_part.h"
 #include "host_sim/simulate/eye_sights.h"
 #include "host_sim/simulate/simulated_device.h"
 
@@ -113,16 +112,6 @@ glm::dvec2 extents(const FaceFrame& frame, const Polygon2d& outline) {
          glm::dvec2(glm::length(glm::dvec3(frame.axis_u)), glm::length(glm::dvec3(frame.axis_v)));
 }
 
-// The part of a contact line within an element.
-SegmentPart part_within(const Polygon2d& outline, const ContactLine& line) {
-  SegmentPart part;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Line2d side = line_through(outline[i], outline[(i + 1) % outline.size()]);
-    part.keep_where(glm::dot(side.normal, line.a) - side.offset, glm::dot(side.normal, line.b) - side.offset);
-  }
-  return part;
-}
-
 class Refiner {
  public:
   Refiner(const PreparedScene& scene, Meshing& meshing)
@@ -171,7 +160,7 @@ class Refiner {
     }
     Candidate candidate = {0, f, e, axis_cut(frame, outline, glm::abs(change)), false};
     for (const ContactLine& line : contacts_[f]) {
-      const SegmentPart part = part_within(outline, line);
+      const SegmentPart part = part_within(outline, line.a, line.b);
       if (with_contacts &&
           part.length() * glm::distance(frame.to_grid(line.a), frame.to_grid(line.b)) > kReach) {
         const glm::dvec2 on_line = glm::mix(line.a, line.b, (part.begin + part.end) / 2);
