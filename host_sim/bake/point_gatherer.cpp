@@ -62,7 +62,7 @@ PointGatherer::~PointGatherer() = default;
 VertexLight PointGatherer::gather(const VertexGather& vertex) const {
   VertexLight light = {};
   const Status status =
-      gather_vertex(impl_->state(), *lune_table(kLunesOfGather), vertex.points.data(),
+      gather_vertex(impl_->state(), *lune_table(kLunesOfGather), correct_direct_light, vertex.points.data(),
                     static_cast<std::uint8_t>(vertex.points.size()), vertex.enough, impl_->ambient, light);
   if (status != Status::ok) {
     throw std::runtime_error(std::string("a gather at a vertex failed: ") + describe(status));

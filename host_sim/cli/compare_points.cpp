@@ -54,7 +54,8 @@ Traced read_truth(const std::string& file, const std::vector<SamplePoint>& point
 }
 
 Traced trace(const LoadedScene& scene, const std::vector<MeshElement>& polygons,
-             const std::vector<SamplePoint>& points, const std::string& file) {
+             const std::vector<SamplePoint>& points, const CommonOptions& options) {
+  const std::string& file = options.points_truth;
   if (!file.empty() && std::filesystem::exists(file)) {
     return read_truth(file, points);
   }
@@ -66,7 +67,7 @@ Traced trace(const LoadedScene& scene, const std::vector<MeshElement>& polygons,
   for (const SamplePoint& point : points) {
     places.push_back(point.surface);
   }
-  Traced truth = path_traced_irradiance(polygons, places);
+  Traced truth = path_traced_irradiance(polygons, places, {options.points_paths});
   if (!file.empty()) {
     write_truth(file, points, truth);
   }
@@ -115,7 +116,7 @@ PointBudget measure_points(const LoadedScene& scene, const CommonOptions& option
   const std::vector<SamplePoint> points = surface_points(polygons, options.points);
   PointBudget budget;
   const Clock tracing;
-  const Traced truth = trace(scene, polygons, points, options.points_truth);
+  const Traced truth = trace(scene, polygons, points, options);
   budget.points = points.size();
   budget.truth_standard_error = truth_error(points, truth);
   budget.truth_seconds = tracing.seconds();

@@ -144,6 +144,12 @@ void add_point_options(CLI::App& command, CommonOptions& options) {
       .add_option("--points-truth", options.points_truth,
                   "JSON file to read the path-traced truth at the points from; written if it does not exist")
       ->needs(points);
+  command
+      .add_option("--points-paths", options.points_paths,
+                  "Paths that are traced for the truth at each point; four times as many halve its error")
+      ->check(CLI::Range(32u, 1u << 20u))
+      ->capture_default_str()
+      ->needs(points);
   command.add_flag("--points-only", options.points_only, "Leave out the error budget of face means")
       ->needs(points);
   add_display_edge(command, options);

@@ -31,9 +31,10 @@ struct CommonOptions {
   std::string faces_csv;
   std::string json;
   std::string csv;
-  std::uint32_t paths = 4000000;  ///< of the path-traced truth
-  std::uint32_t points = 0;       ///< that compare measures irradiance at
-  std::string points_truth;       ///< file of the truth there
+  std::uint32_t paths = 4000000;      ///< of the path-traced truth
+  std::uint32_t points = 0;           ///< that compare measures irradiance at
+  std::uint32_t points_paths = 4096;  ///< of the truth at each
+  std::string points_truth;           ///< file of the truth there
   bool points_only = false;
   std::optional<bool> gathers_display;  ///< vertex colours by a gather, else the mean; unset: where shown
   DisplayOptions display_mesh;

@@ -19,7 +19,7 @@ namespace fixrad::host {
 namespace {
 
 // Of all elements, those that the first mesh and the mesh of the second solution have.
-constexpr double kFirst = 0.6, kSecond = 0.8;
+constexpr double kFirst = 0.3, kSecond = 0.65;
 
 // What counts the error of an element as a sender against that as a receiver.
 constexpr double kOfSender = 1.0;
@@ -76,7 +76,8 @@ class RoughSolution {
     const EyePoint eye = {lifted_eye(scene_, face, scene_.frames[face].to_grid(st)),
                           static_cast<std::uint16_t>(face), 0};
     Irradiance found = {};
-    if (gather_irradiance(solver_.state(), kLunes[3], eye, false, ambient_.data(), found) != Status::ok) {
+    if (gather_irradiance(solver_.state(), kLunes[3], correct_direct_light, eye, false, ambient_.data(),
+                          found) != Status::ok) {
       return glm::dvec3(0.0);
     }
     return {found.of[0].raw, found.of[1].raw, found.of[2].raw};

@@ -69,7 +69,7 @@ class ElementLight {
 
   Status look(const Vec3& point, Irradiance& irradiance) {
     const EyePoint eye = {lifted(state_.scene, face_, point), element_.face, 0};
-    return gather_irradiance(state_, table_, eye, false, ambient_, irradiance);
+    return gather_irradiance(state_, table_, nullptr, eye, false, ambient_, irradiance);
   }
 
   /// What is reflected, summed over the channels; a quarter of the radiosity unit.

@@ -3,13 +3,16 @@
 
 namespace fixrad {
 
-Status gather_irradiance(State& state, const DeltaTable& table, const EyePoint& eye, bool is_clear,
-                         const Radiosity* ambient, Irradiance& irradiance) {
+Status gather_irradiance(State& state, const DeltaTable& table, DirectLight direct, const EyePoint& eye,
+                         bool is_clear, const Radiosity* ambient, Irradiance& irradiance) {
   clear(state.row);
   const EyeSample sample = {eye, kRowOne, !state.is_closed, is_clear};
   const Status status = state.settings.engine(state.scene, table, sample, state.work, state.row);
   if (status != Status::ok) {
     return status;
+  }
+  if (direct != nullptr) {
+    direct(state.scene, eye, state.work, state.row);
   }
   uint64_t sum[kMaxChannels] = {0, 0, 0};
   irradiance.seen = kRowOne - state.row.escaped - state.row.back;

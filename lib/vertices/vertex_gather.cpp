@@ -15,19 +15,20 @@ Radiosity leaving(const Scene& scene, const Material& material, int channel, Rad
   return Radiosity::from_raw(sum > 0xffffffffu ? 0xffffffffu : static_cast<uint32_t>(sum));
 }
 
-Status gather_if_clear(State& state, const DeltaTable& table, const EyePoint& eye, const Radiosity* ambient,
-                       Irradiance& irradiance, bool& is_clear) {
+Status gather_if_clear(State& state, const DeltaTable& table, DirectLight direct, const EyePoint& eye,
+                       const Radiosity* ambient, Irradiance& irradiance, bool& is_clear) {
   uint32_t hidden = 0;
   const Status status = hidden_share(state.scene, flash_read(state.settings.probe, 0), eye, state.is_enclosed,
                                      state.work, hidden);
   is_clear = status == Status::ok && hidden <= kBuriedShare;
-  return is_clear ? gather_irradiance(state, table, eye, true, ambient, irradiance) : status;
+  return is_clear ? gather_irradiance(state, table, direct, eye, true, ambient, irradiance) : status;
 }
 
 }  // namespace
 
-Status gather_vertex(State& state, const DeltaTable& table, const FIXRAD_FLASH GatherPoint* points,
-                     uint8_t count, uint8_t enough, const Radiosity* ambient, VertexLight& light) {
+Status gather_vertex(State& state, const DeltaTable& table, DirectLight direct,
+                     const FIXRAD_FLASH GatherPoint* points, uint8_t count, uint8_t enough,
+                     const Radiosity* ambient, VertexLight& light) {
   const Scene& scene = state.scene;
   uint64_t sum[kMaxChannels] = {0, 0, 0};
   light.clear_points = 0;
@@ -37,7 +38,7 @@ Status gather_vertex(State& state, const DeltaTable& table, const FIXRAD_FLASH G
     const EyePoint eye = {vec(point.position), face, static_cast<uint8_t>(i % kTurns)};
     Irradiance irradiance = {};
     bool is_clear = false;
-    const Status status = gather_if_clear(state, table, eye, ambient, irradiance, is_clear);
+    const Status status = gather_if_clear(state, table, direct, eye, ambient, irradiance, is_clear);
     if (status != Status::ok) {
       return status;
     }

@@ -26,9 +26,11 @@ struct VertexLight {
 /// (settings.probe) are left out: beside a contact only the lit side counts. Nothing is extrapolated, so the
 /// result is at least the emission and at most what the brightest element would give by itself; the means
 /// round down, the products too. `table`: for the solver's engine; each point has its own turn of the axis,
-/// the first point turn 0, so that a vertex depends on nothing but the solution. `ambient` [channels] as in
-/// gather_irradiance(), whose scratch memory and statuses these are. Cost: a probe and a view a point.
-Status gather_vertex(State& state, const DeltaTable& table, const FIXRAD_FLASH GatherPoint* points,
-                     uint8_t count, uint8_t enough, const Radiosity* ambient, VertexLight& light);
+/// the first point turn 0, so that a vertex depends on nothing but the solution. `direct` and `ambient`
+/// [channels] as in gather_irradiance(), whose scratch memory and statuses these are. Cost: a probe and a
+/// view a point.
+Status gather_vertex(State& state, const DeltaTable& table, DirectLight direct,
+                     const FIXRAD_FLASH GatherPoint* points, uint8_t count, uint8_t enough,
+                     const Radiosity* ambient, VertexLight& light);
 
 }  // namespace fixrad

@@ -33,8 +33,8 @@ class Displayed : public Solution {
   VertexLight gather(glm::dvec3 position, const std::vector<std::uint16_t>& elements) {
     const VertexGather at = vertex_gather(device(), position, elements);
     VertexLight light = {};
-    EXPECT_EQ(gather_vertex(state(), kFine, at.points.data(), static_cast<std::uint8_t>(at.points.size()),
-                            at.enough, kNoAmbient, light),
+    EXPECT_EQ(gather_vertex(state(), kFine, correct_direct_light, at.points.data(),
+                            static_cast<std::uint8_t>(at.points.size()), at.enough, kNoAmbient, light),
               Status::ok);
     return light;
   }
@@ -157,9 +157,11 @@ TEST(VertexGather, CountsOnlyTheLitSideWhereOnePointIsBuried) {
   const GatherPoint points[] = {gather_point(room.device(), buried, {2, 0, 2}),
                                 gather_point(room.device(), lit, room.device().mesh.elements[lit].centroid)};
   VertexLight both = {}, one = {};
-  ASSERT_EQ(gather_vertex(room.state(), kFine, points, 2, 2, kNoAmbient, both), Status::ok);
+  ASSERT_EQ(gather_vertex(room.state(), kFine, correct_direct_light, points, 2, 2, kNoAmbient, both),
+            Status::ok);
   const GatherPoint alone[] = {points[1], points[1]};
-  ASSERT_EQ(gather_vertex(room.state(), kFine, alone, 2, 2, kNoAmbient, one), Status::ok);
+  ASSERT_EQ(gather_vertex(room.state(), kFine, correct_direct_light, alone, 2, 2, kNoAmbient, one),
+            Status::ok);
   EXPECT_EQ(both.clear_points, 1);
   EXPECT_EQ(one.clear_points, 2);
   EXPECT_NEAR(both.radiosity[0].raw, one.radiosity[0].raw, 0.03 * one.radiosity[0].raw);
