@@ -73,8 +73,9 @@ class MeshTool(Tool):
         """A Run, or why there is none."""
         options = ["--profile", PROFILE, "--elements", elements, *self.mesh_options(kind)]
         try:
-            record = json.loads(self.files("compare", scene, [("--json", ".json")], *options, "--points", POINTS,
-                                           "--points-paths", POINT_PATHS, "--points-only", "--points-truth", self.points_truth(scene))[0].read_text())
+            files = self.files("compare", scene, [("--json", ".json")], *options, "--points", POINTS, "--points-paths",
+                               POINT_PATHS, "--points-only", "--points-truth", self.points_truth(scene))
+            record = json.loads(files[0].read_text())
             faces, _ = self.bake(scene, *options)
         except Refusal as refusal:
             return str(refusal)
