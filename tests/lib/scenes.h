@@ -54,6 +54,10 @@ class ModelBuilder {
   Model model_;
 };
 
+/// How many seeds a test of random scenes goes through: what the environment says in FIXRAD_SCENES, for long
+/// runs, else `usual`.
+std::uint32_t seed_count(std::uint32_t usual);
+
 /// The unit cube seen from inside, one material a face; faces in the order -x +x -y +y -z +z.
 Model cube(double reflectance, const std::array<double, 6>& emission);
 

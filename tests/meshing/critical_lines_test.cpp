@@ -314,7 +314,8 @@ void expect_sound(const Traced& traced, std::uint32_t seed) {
 }
 
 TEST(CriticalLines, OfRandomRoomsAreFiniteAndOnTheirFaces) {
-  for (std::uint32_t seed = 0; seed < 150; ++seed) {
+  const std::uint32_t seeds = seed_count(150);
+  for (std::uint32_t seed = 0; seed < seeds; ++seed) {
     expect_sound(Traced(random_closed_room(seed)), seed);
     expect_sound(Traced(random_open_room(seed)), seed);
   }
