@@ -33,6 +33,9 @@ void reset(State& state, const Scene& scene, const Settings& settings) {
   state.row.count = scene.element_count;
   state.work.span_high_water = 0;
   state.work.gaps_closed = 0;
+  state.work.budget = 0;
+  forget_view(state.work);
+  state.sampling = {};
   state.shots = state.eyes = state.withdrawn = 0;
   state.turn = 0;
   state.is_closed = is_closed(scene);
