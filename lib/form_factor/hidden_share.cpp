@@ -31,7 +31,7 @@ Status hidden_share(const Scene& scene, const DeltaTable& table, const EyePoint&
     spend(work);
   }
   VisibleSpans visible(scene, eye, work);
-  for (int r = at.next - 1; r < 1 << table.resolution_log2; ++r, ++at.next, spend(work)) {
+  for (int r = at.done(); r < 1 << table.resolution_log2; ++r, ++at.next, spend(work)) {
     if (is_used_up(work)) {
       return Status::in_progress;
     }

@@ -17,7 +17,7 @@ Status lune_rows(const Scene& scene, const DeltaTable& table, const EyeSample& s
   }
   VisibleSpans visible(scene, sample.eye, work);
   RowWriter writer(row, sample.weight, at.sum);
-  for (int r = at.next - 1; r < 1 << table.resolution_log2; ++r, ++at.next, spend(work)) {
+  for (int r = at.done(); r < 1 << table.resolution_log2; ++r, ++at.next, spend(work)) {
     if (is_used_up(work)) {
       return Status::in_progress;
     }

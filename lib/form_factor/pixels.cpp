@@ -84,7 +84,7 @@ Status hemicube_pixels(const Scene& scene, const DeltaTable& table, const EyeSam
     spend(work);
   }
   RowWriter writer(row, sample.weight, at.sum);
-  for (int done = at.next - 1; done < 3 << table.resolution_log2; ++done, ++at.next, spend(work)) {
+  for (int done = at.done(); done < 3 << table.resolution_log2; ++done, ++at.next, spend(work)) {
     if (is_used_up(work)) {
       return Status::in_progress;
     }

@@ -78,6 +78,9 @@ struct ViewCursor {
     uint32_t back;          ///< rays: of it, on back faces
     uint16_t largest_slot;  ///< contours: of the element with the largest factor
   };
+
+  /// Steps done of a view that has begun.
+  int done() const { return static_cast<int>(next) - 1; }
 };
 
 /// Working memory of the form-factor engines; the arrays belong to the solver's storage.

@@ -272,26 +272,28 @@ Status look_from_whole(State& state, bool is_clear) {
   return status;
 }
 
+// Not a switch: its table of jumps would need a routine that an AVR's library alone has.
 Status do_stage(State& state, const EyeSource& source) {
-  switch (state.sampling.stage) {
-    case SamplingStage::add_up:
-      return add_up_weights(state, source);
-    case SamplingStage::draw:
-      return draw_eye(state, source);
-    case SamplingStage::look_drawn:
-      return look_from_drawn(state, source);
-    case SamplingStage::try_centroid:
-      return try_centroid(state);
-    case SamplingStage::choose:
-      return choose_eyes(state);
-    case SamplingStage::look_chosen:
-      return look_from_chosen(state);
-    case SamplingStage::look_centroid:
-    case SamplingStage::look_buried:
-      return look_from_whole(state, state.sampling.stage == SamplingStage::look_centroid);
-    default:
-      return Status::ok;
+  const SamplingStage stage = state.sampling.stage;
+  if (stage == SamplingStage::add_up) {
+    return add_up_weights(state, source);
   }
+  if (stage == SamplingStage::draw) {
+    return draw_eye(state, source);
+  }
+  if (stage == SamplingStage::look_drawn) {
+    return look_from_drawn(state, source);
+  }
+  if (stage == SamplingStage::try_centroid) {
+    return try_centroid(state);
+  }
+  if (stage == SamplingStage::choose) {
+    return choose_eyes(state);
+  }
+  if (stage == SamplingStage::look_chosen) {
+    return look_from_chosen(state);
+  }
+  return look_from_whole(state, stage == SamplingStage::look_centroid);
 }
 
 // What an abandoned shot may have left goes.

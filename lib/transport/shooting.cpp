@@ -144,30 +144,31 @@ uint64_t floor_of(const State& state) {
   return 4 * rows * state.a_row;
 }
 
-// Starts a pass, with larger sources where those of the last one have too little left for shots of their own.
-// False when the solution has converged.
-__attribute__((noinline)) bool start_pass(State& state) {
+// Starts a pass, or, where the sources of the last one have too little left for shots of their own, turns to
+// larger ones: in_progress, the pass starts with the next call. Converged where nothing is left to shoot.
+__attribute__((noinline)) Status start_pass(State& state) {
   Sweep& sweep = state.sweep;
-  Survey survey = survey_unshot(state);
-  if (is_converged(state, survey, 1)) {
-    return false;
+  const Survey survey = survey_unshot(state);
+  if (!sweep.grows && is_converged(state, survey, 1)) {
+    return Status::converged;
   }
-  while (sweep.kind != SourceKind::face && (survey.most < floor_of(state) || !sweep.has_shot)) {
+  if (sweep.kind != SourceKind::face && (survey.most < floor_of(state) || !sweep.has_shot)) {
     go_on_with_larger_sources(state);
-    sweep.has_shot = true;
-    survey = survey_unshot(state);
+    sweep.has_shot = sweep.grows = true;
+    sweep.cursor = state.scene.element_count;  // behind the last source of any kind
+    return Status::in_progress;
   }
   const uint64_t threshold = survey.most * kPassThreshold / 16;
   const uint64_t floor = floor_of(state);
   sweep.threshold = threshold > floor ? threshold : floor;
   sweep.cursor = 0;
-  sweep.has_shot = false;
+  sweep.has_shot = sweep.grows = false;
   const bool lends = state.settings.overshoot && sweep.kind != SourceKind::face &&
                      !is_converged(state, survey, kOvershootUntil);
   for (int c = 0; c < state.scene.channels; ++c) {
     sweep.ambient[c] = lends ? ambient_of(state, c, survey.balance[c]) : Radiosity::from_raw(0);
   }
-  return true;
+  return Status::ok;
 }
 
 // The source of the shot that is under way, or would come next.
@@ -211,7 +212,7 @@ Status begin_reflection(State& state) {
       return Status::in_progress;
     }
     if (!has_source(state)) {
-      if (!start_pass(state)) {
+      if (start_pass(state) == Status::converged) {
         return Status::converged;
       }
       spend(state.work);

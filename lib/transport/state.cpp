@@ -63,7 +63,7 @@ void reset(State& state, const Scene& scene, const Settings& settings) {
   emitted = flux_meant(emitted, scene.channels);
   state.a_row = quarter_part(emitted, settings.flux_per_row);
   state.an_eye = quarter_part(emitted, settings.flux_per_eye);
-  state.sweep = {SourceKind::element, scene.element_count, true, 0, {}};
+  state.sweep = {SourceKind::element, scene.element_count, true, false, 0, {}};
 }
 
 Ledger ledger(const State& state, int c) {

@@ -57,6 +57,7 @@ struct Sweep {
   SourceKind kind;
   uint16_t cursor;  ///< next element (also of a face: its first) or patch
   bool has_shot;    ///< in this pass
+  bool grows;       ///< the pass has just turned to larger sources and is still to start
   uint64_t threshold;
   Radiosity ambient[kMaxChannels];  ///< lent in this pass; 0 without overshooting
 };
