@@ -9,7 +9,7 @@
 //     fixrad::Status status = solver.load(scene);            // checks everything or changes nothing
 //     while (status == fixrad::Status::ok) {
 //       status = solver.step();                              // the brightest shoot first
-//     }
+//     }                                                      // step(budget): in slices, for a main loop
 //     colour = solver.vertex_radiosity(map, vertex, channel);  // any time: the picture only gets better
 //
 // Integers only, no heap, no exceptions; the same bits on every processor.

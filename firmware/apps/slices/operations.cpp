@@ -31,6 +31,7 @@ FIXRAD_REGION(shift_32_spans);
 FIXRAD_REGION(span);
 FIXRAD_REGION(piece);
 FIXRAD_REGION(sum);
+FIXRAD_REGION(candidate);
 
 namespace {
 
@@ -242,6 +243,16 @@ void measure_pieces(const Scene& all) {
   }
 }
 
+// A place for an eye in an element that is a whole cell.
+void measure_candidates(const Scene& all) {
+  const Element element = {40000, {30000, 30000, 30000}, 0, 0, 0};
+  faces[0].cell_area = element.area;
+  Scene scene = all;
+  scene.elements = &element;
+  scene.element_count = 1;
+  measure(fixrad_region_candidate, [&] { eye_candidate(scene, 0, kFinestLevel, bits() % 9); });
+}
+
 }  // namespace
 
 int main() {
@@ -258,6 +269,7 @@ int main() {
     measure_pieces(all);
     measure_empty_rows(all);
     measure_inserts(all);
+    measure_candidates(all);
   }
   fixrad::text::write_line("trials", static_cast<uint32_t>(kTrials));
   return 0;
