@@ -104,9 +104,10 @@ class Bound:
 
     def row(self):
         k, s = self.k, self.s
-        # Before face i of F there are at most S - 2 (F - i + 1) spans: each that is to come may still need two.
+        # Before face i of F there are at most S - 2 (F - i + 1) spans: each that is to come may still need two. At most S
+        # borders come up on a row and as many go, and each moves what lies behind it.
         met = sum(max(1, s.spans - 2 * (s.faces - i + 1)) for i in range(1, s.faces + 1))
-        inserted = s.faces * (k["turn"] + k["interval"]) + met * (k["meet"] + s.spans * k["move"])
+        inserted = s.faces * (k["turn"] + k["interval"]) + met * k["meet"] + 2 * s.spans ** 2 * k["move"]
         pieces = s.spans * k["span"] + (s.spans + s.lines) * (k["piece"] + k["sum"])
         return k["row"] + inserted + pieces
 
