@@ -9,7 +9,7 @@
 //     fixrad::Status status = solver.load(scene);            // checks everything or changes nothing
 //     while (status == fixrad::Status::ok) {
 //       status = solver.step();                              // the brightest shoot first
-//     }
+//     }                                                      // step(budget): in slices, for a main loop
 //     colour = solver.vertex_radiosity(map, vertex, channel);  // any time: the picture only gets better
 //
 // Integers only, no heap, no exceptions; the same bits on every processor.
@@ -53,7 +53,7 @@ constexpr uint32_t pool_bytes(const Sizes& s) {
 /// Bytes of everything else in a solver on a target with pointers of `pointer_bytes`, rounded up to whole
 /// words.
 constexpr uint32_t state_bytes(uint32_t pointer_bytes) {
-  return 26 * pointer_bytes + 192;
+  return 26 * pointer_bytes + 232;
 }
 
 /// All the memory of a radiosity solution, in one object without pointers to anything but the caller's scene.
@@ -71,7 +71,7 @@ class Solver {
   [[nodiscard]] Status load(const Scene& scene, const Settings& settings = {}) {
     const Status status = check_scene(scene, {L::vertices, L::faces, L::elements, L::channels});
     if (status == Status::ok) {
-      state_.work = {directions_, views_, spans_, items_, item_count, L::spans, 0, 0, 0};
+      state_.work = {directions_, views_, spans_, items_, item_count, L::spans, 0, 0, 0, {}, 0};
       state_.row = {share_, scene.element_count, 0, 0};
       state_.received = received_;
       state_.accounts = accounts_;
@@ -82,6 +82,10 @@ class Solver {
 
   /// One shot; see shoot().
   [[nodiscard]] Status step() { return shoot(state_); }
+
+  /// At most `budget` units of a shot, whose instructions docs/bounded_time.md bounds; in_progress until it
+  /// is complete. See shoot_for().
+  [[nodiscard]] Status step(uint32_t budget) { return shoot_for(state_, budget); }
 
   /// The solution at a vertex, see vertex_radiosity(); `with_ambient` adds the estimate of what is still
   /// unshot.

@@ -21,7 +21,8 @@ fi
 
 # Scene (or name=scene), profile, options of fixrad export. cornell_quick is the least work with which 250 elements stay
 # within 0.8 % of the truth. Mesh and precision of the larger profiles are limited so that a run in an
-# emulator takes seconds; most of all in the white room, which reflects its light twenty times.
+# emulator takes seconds; most of all in the white room, which reflects its light twenty times. Scenes of scenes/worst are
+# what scripts/worst_scenes.py has found.
 list='
 cornell tiny --elements 120 --flux-per-row 0.00055
 cornell small
@@ -45,6 +46,8 @@ portico tiny
 colonnade small
 colonnade medium
 colonnade large --elements 800
+worst_row=worst/worst_row small --elements 160 --unshot 0.2 --flux-per-row 0.001 --flux-per-eye 0.2
+worst_step=worst/worst_step small --elements 160 --unshot 0.2 --flux-per-row 0.0002 --flux-per-eye 0.004
 '
 
 folder=firmware/scenes

@@ -20,10 +20,11 @@ struct region {
   char name[kNameBytes];
   uint64_t address;
   int entered;  ///< its place in the order of first entries, from 1; 0: never
+  uint64_t entries, largest;
 };
 
 static struct page* pages;
-static struct region regions[kMaxRegions] = {{"start", UINT64_MAX, 1}};
+static struct region regions[kMaxRegions] = {{"start", UINT64_MAX, 1, 1, 0}};
 static int region_count = 1, entered_count = 1, current_region;
 
 static void* allocate(size_t bytes) {
@@ -74,7 +75,9 @@ uint64_t* counts_at(uint64_t address) {
   return &page->current[address - base];
 }
 
-static void credit(struct page* page) {
+// Returns what was counted on the page since the region was entered.
+static uint64_t credit(struct page* page) {
+  uint64_t sum = 0;
   uint64_t** counters = &page->of_region[current_region];
   for (int i = 0; i < kPageBytes; ++i) {
     if (page->current[i] != 0) {
@@ -82,16 +85,27 @@ static void credit(struct page* page) {
         *counters = allocate(kPageBytes * sizeof **counters);
       }
       (*counters)[i] += page->current[i];
+      sum += page->current[i];
       page->current[i] = 0;
     }
   }
+  return sum;
+}
+
+// What was counted since the current region was entered belongs to it.
+static void leave_region(void) {
+  uint64_t sum = 0;
+  for (struct page* page = pages; page != NULL; page = page->next) {
+    sum += credit(page);
+  }
+  struct region* left = &regions[current_region];
+  left->largest = sum > left->largest ? sum : left->largest;
 }
 
 void counts_enter(int region) {
-  for (struct page* page = pages; page != NULL; page = page->next) {
-    credit(page);
-  }
+  leave_region();
   current_region = region;
+  ++regions[region].entries;
   if (regions[region].entered == 0) {
     regions[region].entered = ++entered_count;
   }
@@ -108,8 +122,8 @@ static uint64_t region_total(int region) {
 }
 
 static void write_region(FILE* file, int region) {
-  fprintf(file, "  \"%s\": {\"count\": %" PRIu64 ", \"by_pc\": {", regions[region].name,
-          region_total(region));
+  fprintf(file, "  \"%s\": {\"count\": %" PRIu64 ", \"entries\": %" PRIu64 ", \"largest\": %" PRIu64 ", \"by_pc\": {",
+          regions[region].name, region_total(region), regions[region].entries, regions[region].largest);
   const char* separator = "";
   for (const struct page* page = pages; page != NULL; page = page->next) {
     for (int i = 0; page->of_region[region] != NULL && i < kPageBytes; ++i) {
@@ -124,7 +138,7 @@ static void write_region(FILE* file, int region) {
 }
 
 int counts_write(const char* path, const char* unit, uint64_t stack_low) {
-  counts_enter(current_region);
+  leave_region();
   FILE* file = fopen(path, "w");
   if (file == NULL) {
     fprintf(stderr, "emulator: cannot write %s\n", path);

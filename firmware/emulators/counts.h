@@ -6,8 +6,9 @@
 
 // What was executed at each address, apart for each region of the program; written as JSON:
 //   {"unit": "instructions", "total": n, "stack_low": address or null,
-//    "regions": {"start": {"count": n, "by_pc": {"0x80": n, ...}}, "load": ...}}
-// Regions appear in the order in which they were first entered; `start` is what runs before the first.
+//    "regions": {"start": {"count": n, "entries": n, "largest": n, "by_pc": {"0x80": n, ...}}, "load": ...}}
+// `largest` is the most that was counted from one entry into the region to the next entry into any. Regions
+// appear in the order in which they were first entered; `start` is what runs before the first.
 
 /// Declares a region that begins whenever the instruction at `address` is executed. `name` is copied. Exits
 /// with a message if there are more than 63.

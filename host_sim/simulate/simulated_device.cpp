@@ -44,6 +44,8 @@ Status SimulatedDevice::load(const Scene& scene, const Settings& settings) {
                    static_cast<std::uint16_t>(sizes_.spans),
                    0,
                    0,
+                   0,
+                   {},
                    0};
     state_.row = {a.share.data(), scene.element_count, 0, 0};
     state_.received = a.received.data();
@@ -95,6 +97,8 @@ const char* describe(Status status) {
       return "a face's tangent is not perpendicular to its normal, or its axes leave the grid";
     case Status::bad_unit:
       return "a shift of the flux or radiosity unit is out of range";
+    case Status::in_progress:
+      return "a shot is under way: step again";
     case Status::bad_eye:
       return "an eye point does not lie on the lit side of its face";
   }

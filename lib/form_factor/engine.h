@@ -23,9 +23,17 @@ inline Backs backs_in(const EyeSample& sample) {
 }
 
 /// An engine adds the form factors from one eye point to all elements to `row`, exactly `weight` in all.
-/// Statuses: ok, or span_pool_full (`row` is then to be thrown away).
+/// Statuses: ok; in_progress (work.budget was used up: the next call, with the same arguments, goes on from
+/// work.at, to the same bits as if nothing had been between); span_pool_full (`row` is then to be thrown
+/// away). work.at is to be all zeros where a view begins, and is where one ends.
 using Engine = Status (*)(const Scene& scene, const DeltaTable& table, const EyeSample& sample,
                           Workspace& work, FormFactorRow& row);
+
+/// For engines: says that the view is complete, or cannot be.
+inline Status end_view(Workspace& work, Status status) {
+  forget_view(work);
+  return status;
+}
 
 /// Hemicube rows: visibility between faces with sub-pixel ends, then each visible span split by its face's
 /// element grid. Cost: grows with what is seen, not with the number of elements.
@@ -64,8 +72,8 @@ constexpr uint32_t kBuriedShare = kRowOne / 2;
 
 /// Fraction of a hemicube's top, or of all lunes, UQ12.20, that is hidden: the nearest face shows its back,
 /// or, where `nothing_hides`, there is no face at all (from inside an enclosed scene: the eye lies behind a
-/// wall). The top alone, since what buries an eye stands over it. Cost: R
-/// rows.
+/// wall). The top alone, since what buries an eye stands over it. Goes on from work.at and
+/// stops at the end of work.budget as an engine does. Cost: R rows.
 Status hidden_share(const Scene& scene, const DeltaTable& table, const EyePoint& eye, bool nothing_hides,
                     Workspace& work, uint32_t& share);
 

@@ -21,26 +21,33 @@ uint32_t hidden_on_row(const VisibleSpans& visible, const DeltaRow& delta, bool 
 
 Status hidden_share(const Scene& scene, const DeltaTable& table, const EyePoint& eye, bool nothing_hides,
                     Workspace& work, uint32_t& share) {
-  make_view(scene, eye, Backs::all, work);
-  VisibleSpans visible(scene, eye, work);
-  const int size = 1 << table.resolution_log2;
-  uint32_t hidden = 0;
-  uint32_t all = 0;
-  for (int first = 0; first < size; first += kBandRows) {
-    const int count = band_count(table, first);
-    enter_band(scene, table, first, count, work);
-    for (int i = 0; i < count; ++i) {
-      const BandRow row = band_row(table, first, i);
-      if (!find_visible(scene, row, work, visible)) {
-        return Status::span_pool_full;
-      }
-      const DeltaRow delta = delta_row(table, true, first + i);
-      hidden += hidden_on_row(visible, delta, nothing_hides, work);
-      all += 2 * delta.half_total;
+  ViewCursor& at = work.at;
+  if (at.next == 0) {
+    if (is_used_up(work)) {
+      return Status::in_progress;
     }
+    make_view(scene, eye, Backs::all, work);
+    at.next = 1;
+    spend(work);
   }
-  share = static_cast<uint32_t>(static_cast<uint64_t>(hidden) * kRowOne / all);
-  return Status::ok;
+  VisibleSpans visible(scene, eye, work);
+  for (int r = at.done(); r < 1 << table.resolution_log2; ++r, ++at.next, spend(work)) {
+    if (is_used_up(work)) {
+      return Status::in_progress;
+    }
+    const int i = r & (kBandRows - 1);
+    if (i == 0) {
+      enter_band(scene, table, r, band_count(table, r), work);
+    }
+    if (!find_visible(scene, band_row(table, r - i, i), work, visible)) {
+      return end_view(work, Status::span_pool_full);
+    }
+    const DeltaRow delta = delta_row(table, true, r);
+    at.hidden += hidden_on_row(visible, delta, nothing_hides, work);
+    at.sum += 2 * delta.half_total;
+  }
+  share = static_cast<uint32_t>(static_cast<uint64_t>(at.hidden) * kRowOne / at.sum);
+  return end_view(work, Status::ok);
 }
 
 }  // namespace fixrad

@@ -5,20 +5,31 @@ namespace fixrad {
 
 Status lune_rows(const Scene& scene, const DeltaTable& table, const EyeSample& sample, Workspace& work,
                  FormFactorRow& row) {
-  make_view(scene, sample.eye, backs_in(sample), work);
-  make_grids(scene, sample.eye, work);
-  RowWriter writer(row, sample.weight);
-  const int size = 1 << table.resolution_log2;
-  uint32_t base = 0;
-  for (int first = 0; first < size; first += kBandRows) {
-    const int count = band_count(table, first);
-    enter_band(scene, table, first, count, work);
-    const BandSample band = {table, sample.eye, true, first, count, !sample.back_faces};
-    if (!sample_band(scene, band, work, base, writer)) {
-      return Status::span_pool_full;
+  ViewCursor& at = work.at;
+  if (at.next == 0) {
+    if (is_used_up(work)) {
+      return Status::in_progress;
+    }
+    make_view(scene, sample.eye, backs_in(sample), work);
+    make_grids(scene, sample.eye, work);
+    at.next = 1;
+    spend(work);
+  }
+  VisibleSpans visible(scene, sample.eye, work);
+  RowWriter writer(row, sample.weight, at.sum);
+  for (int r = at.done(); r < 1 << table.resolution_log2; ++r, ++at.next, spend(work)) {
+    if (is_used_up(work)) {
+      return Status::in_progress;
+    }
+    const int i = r & (kBandRows - 1);
+    if (i == 0) {
+      enter_band(scene, table, r, band_count(table, r), work);
+    }
+    if (!sample_row(scene, {table, true, r - i, i, !sample.back_faces}, work, visible, writer)) {
+      return end_view(work, Status::span_pool_full);
     }
   }
-  return Status::ok;
+  return end_view(work, Status::ok);
 }
 
 }  // namespace fixrad

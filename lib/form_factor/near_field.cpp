@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lib/form_factor/near_field.h"
 
+#include "lib/form_factor/engine.h"
 #include "lib/form_factor/pair_factor.h"
 #include "lib/form_factor/row_balance.h"
 
@@ -18,6 +19,7 @@ class NearPairs {
   NearPairs(const Scene& scene, uint16_t from, Workspace& work, FormFactorRow& row)
       : scene_(scene),
         from_(from),
+        work_(work),
         row_(row),
         own_(flash_read(scene.elements, from)),
         blockers_(scene, work) {}
@@ -34,17 +36,24 @@ class NearPairs {
     return any;
   }
 
-  // Adds what the element sends to the marked ones.
-  void add_pairs() {
+  // Adds what the element sends to the marked ones, from the one on that the view has come to. False if the
+  // budget ends before.
+  bool add_pairs() {
     const Face face = flash_read(scene_.faces, own_.face);
     const AreaSource source(scene_, face, cells_of(scene_, face, from_));
     blockers_.enter_source(own_.face, source.polygon());
     entered_ = own_.face;
-    for (uint16_t j = 0; j < row_.count; ++j) {
-      if ((row_.share[j] & kFixedShare) != 0) {
-        row_.share[j] += pair_share(source, j);
+    for (uint16_t& j = work_.at.elements; j < row_.count; ++j) {
+      if ((row_.share[j] & kFixedShare) == 0) {
+        continue;
       }
+      if (is_used_up(work_)) {
+        return false;
+      }
+      row_.share[j] += pair_share(source, j);
+      spend(work_);
     }
+    return true;
   }
 
  private:
@@ -82,6 +91,7 @@ class NearPairs {
 
   const Scene& scene_;
   uint16_t from_;
+  Workspace& work_;
   FormFactorRow& row_;
   Element own_;
   RayBlockers blockers_;
@@ -90,12 +100,24 @@ class NearPairs {
 
 }  // namespace
 
-void correct_near_field(const Scene& scene, uint16_t element, Workspace& work, FormFactorRow& row) {
-  NearPairs pairs(scene, element, work, row);
-  if (pairs.mark()) {
-    pairs.add_pairs();
-    balance_row(row, kRowOne);
+Status correct_near_field(const Scene& scene, uint16_t element, Workspace& work, FormFactorRow& row) {
+  if (is_used_up(work)) {
+    return Status::in_progress;
   }
+  NearPairs pairs(scene, element, work, row);
+  if (work.at.next == 0) {
+    const bool any = pairs.mark();
+    spend(work);
+    if (!any) {
+      return Status::ok;
+    }
+    work.at.next = 1;
+  }
+  if (is_used_up(work) || !pairs.add_pairs()) {
+    return Status::in_progress;
+  }
+  balance_row(row, kRowOne);
+  return end_view(work, Status::ok);
 }
 
 }  // namespace fixrad

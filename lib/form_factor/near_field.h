@@ -3,11 +3,13 @@
 
 #include "lib/form_factor/row.h"
 #include "lib/form_factor/view.h"
+#include "lib/scene/status.h"
 
 namespace fixrad {
 
-/// Corrects the finished row of an element. See correct_near_field().
-using NearField = void (*)(const Scene& scene, uint16_t element, Workspace& work, FormFactorRow& row);
+/// Corrects the finished row of an element. Statuses: ok, and in_progress as an engine's: the next call goes
+/// on. See correct_near_field().
+using NearField = Status (*)(const Scene& scene, uint16_t element, Workspace& work, FormFactorRow& row);
 
 /// Replaces the entries of elements nearer to `element` than half the size of the larger of the two (square
 /// roots of their areas, distance of their centroids) by the closed form: the contour formula's mean over
@@ -17,6 +19,6 @@ using NearField = void (*)(const Scene& scene, uint16_t element, Workspace& work
 /// blocked, which keeps elements across a contact line from lighting the foot of what stands there. Uses
 /// work.views. docs/near_field.md has what it is worth. Cost: three products an element, 8 contours and 8
 /// rays a near pair.
-void correct_near_field(const Scene& scene, uint16_t element, Workspace& work, FormFactorRow& row);
+Status correct_near_field(const Scene& scene, uint16_t element, Workspace& work, FormFactorRow& row);
 
 }  // namespace fixrad

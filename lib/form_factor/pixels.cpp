@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lib/form_factor/engine.h"
-#include "lib/form_factor/spans.h"
+#include "lib/form_factor/row_sampling.h"
 #include "lib/form_factor/split.h"
 
 namespace fixrad {
@@ -47,25 +46,22 @@ void draw_face_row(const Scene& scene, const PixelRow& row, uint16_t index, Work
   }
 }
 
-void draw_side(const Scene& scene, const DeltaTable& table, int side, Workspace& work) {
-  const int size = 1 << table.resolution_log2;
-  const uint32_t pixels = static_cast<uint32_t>(1) << (2 * table.resolution_log2);
-  for (uint32_t i = 0; i < pixels; ++i) {
-    work.items[i] = {kEscapedSlot, kNothing};
+// Clears the row and draws all faces on it.
+void draw_row(const Scene& scene, const PixelRow& row, Workspace& work) {
+  for (int pixel = 0; pixel < 1 << row.resolution_log2; ++pixel) {
+    row.items[pixel] = {kEscapedSlot, kNothing};
   }
-  for (int first = side == kTop ? 0 : size / 2; first < size; first += kBandRows) {
-    const int count = band_count(table, first);
-    enter_side_band(scene, table, side, first, count, work);
-    for (int r = 0; r < count; ++r) {
-      const PixelRow row = {band_row(table, first, r),
-                            work.items + (static_cast<uint32_t>(first + r) << table.resolution_log2),
-                            table.resolution_log2};
-      for (uint16_t i = 0; i < work.view_count; ++i) {
-        if ((work.views[i].rows & row.at.bit) != 0) {
-          draw_face_row(scene, row, i, work);
-        }
-      }
+  for (uint16_t i = 0; i < work.view_count; ++i) {
+    if ((work.views[i].rows & row.at.bit) != 0) {
+      draw_face_row(scene, row, i, work);
     }
+  }
+}
+
+void write_pixels(const PixelRow& row, const DeltaRow& delta, uint32_t base, RowWriter& writer) {
+  for (int pixel = 0; pixel < 1 << row.resolution_log2; ++pixel) {
+    const int32_t end = (pixel + 1) << row.frac_bits();
+    writer.add(row.items[pixel].slot, base + delta.sum_to(end));
   }
 }
 
@@ -76,28 +72,33 @@ Status hemicube_pixels(const Scene& scene, const DeltaTable& table, const EyeSam
   if ((static_cast<uint32_t>(1) << (2 * table.resolution_log2)) > work.item_capacity) {
     return Status::item_buffer_too_small;
   }
-  make_view(scene, sample.eye, backs_in(sample), work);
-  make_grids(scene, sample.eye, work);
-  make_depths(scene, sample.eye, work);
-  RowWriter writer(row, sample.weight);
-  const int size = 1 << table.resolution_log2;
-  uint32_t base = 0;
-  for (int side = 0; side < kSides; ++side) {
-    if (side != kTop) {
-      turn_view(side, scene.vertex_count, work);
+  ViewCursor& at = work.at;
+  if (at.next == 0) {
+    if (is_used_up(work)) {
+      return Status::in_progress;
     }
-    draw_side(scene, table, side, work);
-    for (int r = side == kTop ? 0 : size / 2; r < size; ++r) {
-      const Item* items = work.items + (static_cast<uint32_t>(r) << table.resolution_log2);
-      const DeltaRow delta = delta_row(table, side == kTop, r);
-      for (int pixel = 0; pixel < size; ++pixel) {
-        const int32_t end = (pixel + 1) << (kRowLog2 - table.resolution_log2);
-        writer.add(items[pixel].slot, base + delta.sum_to(end));
-      }
-      base += 2 * delta.half_total;
-    }
+    make_view(scene, sample.eye, backs_in(sample), work);
+    make_grids(scene, sample.eye, work);
+    make_depths(scene, sample.eye, work);
+    at.next = 1;
+    spend(work);
   }
-  return Status::ok;
+  RowWriter writer(row, sample.weight, at.sum);
+  for (int done = at.done(); done < 3 << table.resolution_log2; ++done, ++at.next, spend(work)) {
+    if (is_used_up(work)) {
+      return Status::in_progress;
+    }
+    const SideRow place = side_row(table, done);
+    enter_side_row(scene, table, place, work);
+    const PixelRow pixels = {band_row(table, place.first, place.row - place.first),
+                             work.items + (static_cast<uint32_t>(place.row) << table.resolution_log2),
+                             table.resolution_log2};
+    draw_row(scene, pixels, work);
+    const DeltaRow delta = delta_row(table, place.side == kTop, place.row);
+    write_pixels(pixels, delta, at.sum, writer);
+    at.sum += 2 * delta.half_total;
+  }
+  return end_view(work, Status::ok);
 }
 
 }  // namespace fixrad

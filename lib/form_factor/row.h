@@ -39,8 +39,12 @@ constexpr uint16_t kBackSlot = 0xfffe;
 /// that others lose.
 class RowWriter {
  public:
-  RowWriter(FormFactorRow& row, uint32_t weight)
-      : row_(row), cutter_(weight, kRowOne / 2), is_whole_(weight == kRowOne) {}
+  /// Goes on where an earlier one has come to `sum`: what that one's cutter had left over follows from it.
+  RowWriter(FormFactorRow& row, uint32_t weight, uint32_t sum = 0)
+      : row_(row),
+        cutter_(weight, (weight * sum + kRowOne / 2) & (kRowOne - 1)),
+        sum_(sum),
+        is_whole_(weight == kRowOne) {}
 
   /// Everything from the end of the last call up to `sum` (UQ1.20 over the hemisphere) falls on `slot`.
   void add(uint16_t slot, uint32_t sum) {
@@ -65,7 +69,7 @@ class RowWriter {
 
   FormFactorRow& row_;
   Cutter cutter_;
-  uint32_t sum_ = 0;
+  uint32_t sum_;
   bool is_whole_;
 };
 

@@ -59,19 +59,36 @@ bool find_visible(const Scene& scene, const BandRow& row, Workspace& work, Visib
   return true;
 }
 
-bool sample_band(const Scene& scene, const BandSample& band, Workspace& work, uint32_t& base,
-                 RowWriter& writer) {
-  VisibleSpans visible(scene, band.eye, work);
-  for (int i = 0; i < band.count; ++i) {
-    const BandRow row = band_row(band.table, band.first, i);
-    if (!find_visible(scene, row, work, visible)) {
-      return false;
-    }
-    const DeltaRow delta = delta_row(band.table, band.is_top, band.first + i);
-    write_row(scene, row.plane, delta, base, band.is_closed, visible, work, writer);
-    base += 2 * delta.half_total;
+bool sample_row(const Scene& scene, const RowSample& sample, Workspace& work, VisibleSpans& visible,
+                RowWriter& writer) {
+  const BandRow row = band_row(sample.table, sample.first, sample.i);
+  if (!find_visible(scene, row, work, visible)) {
+    return false;
   }
+  const DeltaRow delta = delta_row(sample.table, sample.is_top, sample.first + sample.i);
+  write_row(scene, row.plane, delta, work.at.sum, sample.is_closed, visible, work, writer);
+  work.at.sum += 2 * delta.half_total;
   return true;
+}
+
+SideRow side_row(const DeltaTable& table, int done) {
+  const int k = table.resolution_log2;
+  const int size = 1 << k, half = size / 2;
+  const bool is_top = done < size;
+  const int rest = done - size;
+  const int side = is_top ? kTop : 1 + (rest >> (k - 1));
+  const int in_side = is_top ? done : rest & (half - 1);
+  const int begin = is_top ? 0 : half;
+  return {side, begin + in_side, begin + (in_side & ~(kBandRows - 1)), in_side == 0};
+}
+
+void enter_side_row(const Scene& scene, const DeltaTable& table, const SideRow& at, Workspace& work) {
+  if (at.begins_side && at.side != kTop) {
+    turn_view(at.side, scene.vertex_count, work);
+  }
+  if (at.begins_band()) {
+    enter_side_band(scene, table, at.side, at.first, band_count(table, at.first), work);
+  }
 }
 
 }  // namespace fixrad

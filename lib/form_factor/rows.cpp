@@ -5,26 +5,32 @@ namespace fixrad {
 
 Status hemicube_rows(const Scene& scene, const DeltaTable& table, const EyeSample& sample, Workspace& work,
                      FormFactorRow& row) {
-  make_view(scene, sample.eye, backs_in(sample), work);
-  make_grids(scene, sample.eye, work);
-  make_depths(scene, sample.eye, work);  // before they are turned from side to side
-  RowWriter writer(row, sample.weight);
-  const int size = 1 << table.resolution_log2;
-  uint32_t base = 0;
-  for (int side = 0; side < kSides; ++side) {
-    if (side != kTop) {
-      turn_view(side, scene.vertex_count, work);
+  ViewCursor& at = work.at;
+  if (at.next == 0) {
+    if (is_used_up(work)) {
+      return Status::in_progress;
     }
-    for (int first = side == kTop ? 0 : size / 2; first < size; first += kBandRows) {
-      const int count = band_count(table, first);
-      enter_side_band(scene, table, side, first, count, work);
-      const BandSample band = {table, sample.eye, side == kTop, first, count, !sample.back_faces};
-      if (!sample_band(scene, band, work, base, writer)) {
-        return Status::span_pool_full;
-      }
+    make_view(scene, sample.eye, backs_in(sample), work);
+    make_grids(scene, sample.eye, work);
+    make_depths(scene, sample.eye, work);  // before they are turned from side to side
+    at.next = 1;
+    spend(work);
+  }
+  VisibleSpans visible(scene, sample.eye, work);
+  RowWriter writer(row, sample.weight, at.sum);
+  for (int done = at.done(); done < 3 << table.resolution_log2; ++done, ++at.next, spend(work)) {
+    if (is_used_up(work)) {
+      return Status::in_progress;
+    }
+    const SideRow place = side_row(table, done);
+    enter_side_row(scene, table, place, work);
+    const RowSample part = {table, place.side == kTop, place.first, place.row - place.first,
+                            !sample.back_faces};
+    if (!sample_row(scene, part, work, visible, writer)) {
+      return end_view(work, Status::span_pool_full);
     }
   }
-  return Status::ok;
+  return end_view(work, Status::ok);
 }
 
 }  // namespace fixrad

@@ -63,6 +63,26 @@ struct Item {
   uint16_t view;
 };
 
+/// How far the view under way has come; all zeros where none is. Engines leave one in the middle when the
+/// budget of their workspace is used up and go on with it at the next call. What else they need then they
+/// make again or find in the views.
+struct ViewCursor {
+  uint16_t next;      ///< 0: not begun; else one more than the steps done: rows, or (pair by pair) faces
+  uint16_t elements;  ///< pair by pair: those done of the next face
+  uint32_t sum;       ///< running sum of delta form factors (pair by pair: of factors) so far
+  union {
+    uint32_t hidden;  ///< of it, what hidden_share() looks for; rays: what hidden_share() found
+    int32_t largest;  ///< contours: the largest factor
+  };
+  union {
+    uint32_t back;          ///< rays: of it, on back faces
+    uint16_t largest_slot;  ///< contours: of the element with the largest factor
+  };
+
+  /// Steps done of a view that has begun.
+  int done() const { return static_cast<int>(next) - 1; }
+};
+
 /// Working memory of the form-factor engines; the arrays belong to the solver's storage.
 struct Workspace {
   Direction* directions;  ///< [vertex_count]
@@ -74,7 +94,33 @@ struct Workspace {
   uint16_t view_count;
   uint16_t span_high_water;  ///< most spans that any row has needed, the one that ends it included
   uint32_t gaps_closed;      ///< uncovered intervals of closed scenes that were given to a neighbour
+  ViewCursor at;
+  uint32_t budget;  ///< one more than the units of work that may still be done; 0: no limit
 };
+
+/// A unit of work is what docs/bounded_time.md bounds: a row of a hemisphere (with the beginning of a band or
+/// side that it opens), the beginning of a view, a pair of elements, kStretch elements looked through, the
+/// beginning of a pass, or the booking of a shot. Whoever does one asks is_used_up() before and says spend()
+/// after.
+inline bool is_used_up(const Workspace& work) {
+  return work.budget == 1;
+}
+inline void spend(Workspace& work) {
+  work.budget -= work.budget > 1 ? 1u : 0u;
+}
+
+/// Elements or sources looked through for one unit. Says that the one before `next` has been.
+constexpr uint16_t kStretch = 16;
+inline void spend_on_stretch(Workspace& work, uint16_t next) {
+  if (next % kStretch == 0) {
+    spend(work);
+  }
+}
+
+/// Gives up the view under way, if there is one.
+inline void forget_view(Workspace& work) {
+  work.at = {};
+}
 
 /// Prepares the view from `eye`: directions to all vertices, and all faces that can be seen or whose backs
 /// take part, without their depth. Cost: 9 products a vertex, 3 a face.

@@ -5,7 +5,7 @@
 
 namespace fixrad {
 
-/// Outcome of load() and of a shot. Everything but `ok` leaves the state as it was.
+/// Outcome of load() and of a shot. Everything but `ok` leaves the solution as it was.
 enum class Status : uint8_t {
   ok,                         ///< done
   converged,                  ///< nothing left to do: unshot flux is under the wanted fraction
@@ -28,6 +28,7 @@ enum class Status : uint8_t {
   bad_frame,              ///< a tangent that is not perpendicular to its normal, or axes beyond the grid
   bad_unit,               ///< emission_shift above 63 or radiosity_shift above 32
   bad_eye,                ///< an eye point that does not lie on the lit side of its face
+  in_progress,            ///< the budget is used up before the shot is complete: call again
 };
 
 }  // namespace fixrad

@@ -75,7 +75,10 @@ Status sample_matrix_row(State& state, FormFactorMatrix& matrix, uint16_t e) {
     return status;
   }
   if (state.settings.near_field != nullptr) {
-    state.settings.near_field(scene, e, state.work, state.row);
+    const Status corrected = state.settings.near_field(scene, e, state.work, state.row);
+    if (corrected != Status::ok) {
+      return corrected;
+    }
   }
   store_row(state.row, matrix, e);
   return Status::ok;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "lib/transport/irradiance.h"
 
+#include "lib/transport/shooting.h"
+
 namespace fixrad {
 
 Status gather_irradiance(State& state, const DeltaTable& table, DirectLight direct, const EyePoint& eye,
                          bool is_clear, const Radiosity* ambient, Irradiance& irradiance) {
+  abandon_shot(state);
   clear(state.row);
   const EyeSample sample = {eye, kRowOne, !state.is_closed, is_clear};
   const Status status = state.settings.engine(state.scene, table, sample, state.work, state.row);

@@ -16,7 +16,8 @@ struct Irradiance {
 /// hemisphere): the sum of F_j B_j, F_j sampled by the solver's engine with `table`, B_j with `ambient`
 /// [channels] added; `direct` corrects the entries of lamps, null leaves them as sampled. A fraction below
 /// kRowOne of `seen` faces backs or nothing; there it is dark. Uses the row of form factors and the views as
-/// scratch memory: not between the parts of a shot. `is_clear`: the eye is known to stand in nothing.
+/// scratch memory, so a shot that is under way is given up and begins anew at the next step: gather between
+/// shots, or seldom. `is_clear`: the eye is known to stand in nothing.
 /// Statuses: ok, span_pool_full. Cost: one view, and a 64-bit division for each channel of each element seen.
 Status gather_irradiance(State& state, const DeltaTable& table, DirectLight direct, const EyePoint& eye,
                          bool is_clear, const Radiosity* ambient, Irradiance& irradiance);

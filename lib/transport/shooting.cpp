@@ -69,7 +69,7 @@ uint32_t give_shares_to_faces(State& state, FluxCutter* cutter) {
   return given;
 }
 
-// Not inlined, as start_pass(): what they keep on the stack is not to lie under the engine's.
+// Not inlined, as others here: what they keep on the stack is not to lie under the engine's.
 __attribute__((noinline)) void distribute(State& state, const Flux* amount) {
   const uint32_t phase = (state.shots * kGoldenStep) >> 12;
   FluxCutter cutter[kMaxChannels] = {{amount[0], phase}, {amount[1], phase}, {amount[2], phase}};
@@ -84,49 +84,21 @@ __attribute__((noinline)) void distribute(State& state, const Flux* amount) {
   }
 }
 
-Status fire(State& state, const Shot& shot, uint64_t flux) {
-  const uint8_t turn = state.turn;
-  const Status status = sample_source(state, shot.source, flux);
-  if (status != Status::ok) {
-    state.turn = turn;  // the next attempt looks as this one did
-    return status;
+// What an element emits; returns flux_meant() of it.
+uint64_t emission_of(const State& state, uint16_t e, Flux* amount) {
+  const Scene& scene = state.scene;
+  const Element& element = flash_at(scene.elements, e);
+  const Material& material = flash_at(scene.materials, element.material);
+  uint64_t flux = 0;
+  for (int c = 0; c < scene.channels; ++c) {
+    amount[c] = emitted_flux(scene, material, element.area, c);
+    flux += static_cast<uint32_t>(amount[c].raw);
   }
-  if (state.settings.near_field != nullptr && shot.source.kind == SourceKind::element) {
-    state.settings.near_field(state.scene, shot.source.first, state.work, state.row);
-  }
-  const Observer& observer = state.settings.observer;
-  if (observer.on_shot != nullptr) {
-    observer.on_shot(observer.context, shot);
-  }
-  if (shot.is_emission) {
-    ++state.next_emitter;
-  } else {
-    book_sent(state, shot.source);
-  }
-  distribute(state, shot.amount);
-  ++state.shots;
-  return Status::ok;
+  return flux_meant(flux, scene.channels);
 }
 
-// Moves to the next element that emits; false if there is none.
-bool find_emission(State& state, Shot& shot, uint64_t& flux) {
-  const Scene& scene = state.scene;
-  for (; state.next_emitter < scene.element_count; ++state.next_emitter) {
-    const Element& element = flash_at(scene.elements, state.next_emitter);
-    const Material& material = flash_at(scene.materials, element.material);
-    flux = 0;
-    for (int c = 0; c < scene.channels; ++c) {
-      shot.amount[c] = shot.unshot[c] = emitted_flux(scene, material, element.area, c);
-      flux += static_cast<uint32_t>(shot.amount[c].raw);
-    }
-    flux = flux_meant(flux, scene.channels);
-    if (flux > 0) {
-      shot.source = element_source(scene, state.next_emitter);
-      shot.is_emission = true;
-      return true;
-    }
-  }
-  return false;
+bool has_emission(const State& state) {
+  return state.next_emitter < state.scene.element_count;
 }
 
 bool has_source(const State& state) {
@@ -172,30 +144,162 @@ uint64_t floor_of(const State& state) {
   return 4 * rows * state.a_row;
 }
 
-// Starts a pass, with larger sources where those of the last one have too little left for shots of their own.
-// False when the solution has converged.
-__attribute__((noinline)) bool start_pass(State& state) {
+// Starts a pass, or, where the sources of the last one have too little left for shots of their own, turns to
+// larger ones: in_progress, the pass starts with the next call. Converged where nothing is left to shoot.
+__attribute__((noinline)) Status start_pass(State& state) {
   Sweep& sweep = state.sweep;
-  Survey survey = survey_unshot(state);
-  if (is_converged(state, survey, 1)) {
-    return false;
+  const Survey survey = survey_unshot(state);
+  if (!sweep.grows && is_converged(state, survey, 1)) {
+    return Status::converged;
   }
-  while (sweep.kind != SourceKind::face && (survey.most < floor_of(state) || !sweep.has_shot)) {
+  if (sweep.kind != SourceKind::face && (survey.most < floor_of(state) || !sweep.has_shot)) {
     go_on_with_larger_sources(state);
-    sweep.has_shot = true;
-    survey = survey_unshot(state);
+    sweep.has_shot = sweep.grows = true;
+    sweep.cursor = state.scene.element_count;  // behind the last source of any kind
+    return Status::in_progress;
   }
   const uint64_t threshold = survey.most * kPassThreshold / 16;
   const uint64_t floor = floor_of(state);
   sweep.threshold = threshold > floor ? threshold : floor;
   sweep.cursor = 0;
-  sweep.has_shot = false;
+  sweep.has_shot = sweep.grows = false;
   const bool lends = state.settings.overshoot && sweep.kind != SourceKind::face &&
                      !is_converged(state, survey, kOvershootUntil);
   for (int c = 0; c < state.scene.channels; ++c) {
     sweep.ambient[c] = lends ? ambient_of(state, c, survey.balance[c]) : Radiosity::from_raw(0);
   }
+  return Status::ok;
+}
+
+// The source of the shot that is under way, or would come next.
+EyeSource next_source(const State& state) {
+  return has_emission(state) ? element_source(state.scene, state.next_emitter) : source_at_cursor(state);
+}
+
+// Moves to the next element that emits and begins its shot; ok where none does.
+Status begin_emission(State& state) {
+  while (has_emission(state)) {
+    if (is_used_up(state.work)) {
+      return Status::in_progress;
+    }
+    Flux amount[kMaxChannels];
+    const uint64_t flux = emission_of(state, state.next_emitter, amount);
+    if (flux > 0) {
+      begin_source(state, element_source(state.scene, state.next_emitter), flux);
+      return Status::ok;
+    }
+    spend_on_stretch(state.work, ++state.next_emitter);
+  }
+  return Status::ok;
+}
+
+// Begins the shot of the source at the cursor if it has enough to send.
+__attribute__((noinline)) bool begin_if_strong(State& state, const EyeSource& source) {
+  Flux unshot[kMaxChannels], amount[kMaxChannels];
+  const uint64_t flux = unshot_of(state, source, unshot);
+  if (flux < state.sweep.threshold || !plan_amount(state, source, amount)) {
+    return false;
+  }
+  begin_source(state, source, flux);
   return true;
+}
+
+// Moves to the next source that has enough to send and begins its shot. A patch or a face takes a unit,
+// elements one a stretch.
+Status begin_reflection(State& state) {
+  for (;;) {
+    if (is_used_up(state.work)) {
+      return Status::in_progress;
+    }
+    if (!has_source(state)) {
+      if (start_pass(state) == Status::converged) {
+        return Status::converged;
+      }
+      spend(state.work);
+      continue;
+    }
+    const EyeSource source = source_at_cursor(state);
+    if (begin_if_strong(state, source)) {
+      return Status::ok;
+    }
+    advance(state, source);
+    spend_on_stretch(state.work, source.kind == SourceKind::element ? state.sweep.cursor : 0);
+  }
+}
+
+Status begin_shot(State& state) {
+  const Status status = begin_emission(state);
+  return status != Status::ok || state.sampling.stage != SamplingStage::none ? status
+                                                                             : begin_reflection(state);
+}
+
+// Corrects the complete row of an element.
+Status correct_row(State& state, const EyeSource& source) {
+  const NearField near_field = state.settings.near_field;
+  if (near_field == nullptr || source.kind != SourceKind::element ||
+      state.sampling.stage == SamplingStage::corrected) {
+    return Status::ok;
+  }
+  const Status status = near_field(state.scene, source.first, state.work, state.row);
+  if (status == Status::ok) {
+    state.sampling.stage = SamplingStage::corrected;
+  }
+  return status;
+}
+
+void report_shot(const State& state, const EyeSource& source) {
+  const Observer& observer = state.settings.observer;
+  if (observer.on_shot == nullptr) {
+    return;
+  }
+  Shot shot = {};
+  shot.source = source;
+  shot.is_emission = has_emission(state);
+  if (shot.is_emission) {
+    emission_of(state, source.first, shot.unshot);
+    emission_of(state, source.first, shot.amount);
+  } else {
+    unshot_of(state, source, shot.unshot);
+    plan_amount(state, source, shot.amount);
+  }
+  observer.on_shot(observer.context, shot);
+}
+
+// The row is complete: now the shot becomes part of the solution.
+__attribute__((noinline)) void book_shot(State& state, const EyeSource& source) {
+  book_eyes(state);
+  report_shot(state, source);
+  Flux amount[kMaxChannels] = {};
+  if (has_emission(state)) {
+    emission_of(state, state.next_emitter, amount);
+    ++state.next_emitter;
+  } else {
+    book_sent(state, source, amount);
+    state.sweep.has_shot = true;
+    advance(state, source);
+  }
+  distribute(state, amount);
+  ++state.shots;
+}
+
+Status go_on(State& state) {
+  if (state.sampling.stage == SamplingStage::none) {
+    const Status status = begin_shot(state);
+    if (status != Status::ok) {
+      return status;
+    }
+  }
+  const EyeSource source = next_source(state);
+  Status status = go_on_with_source(state, source);
+  status = status == Status::ok ? correct_row(state, source) : status;
+  if (status != Status::ok) {
+    return status;
+  }
+  if (is_used_up(state.work)) {
+    return Status::in_progress;
+  }
+  book_shot(state, source);
+  return Status::ok;
 }
 
 }  // namespace
@@ -211,27 +315,20 @@ Fraction unshot_fraction(const State& state) {
 }
 
 Status shoot(State& state) {
-  Shot shot = {};
-  uint64_t flux = 0;
-  if (find_emission(state, shot, flux)) {
-    return fire(state, shot, flux);
-  }
-  do {
-    while (has_source(state)) {
-      shot.source = source_at_cursor(state);
-      flux = unshot_of(state, shot.source, shot.unshot);
-      if (flux >= state.sweep.threshold && plan_amount(state, shot.source, shot.unshot, shot.amount)) {
-        const Status status = fire(state, shot, flux);
-        if (status == Status::ok) {
-          state.sweep.has_shot = true;
-          advance(state, shot.source);
-        }
-        return status;
-      }
-      advance(state, shot.source);
-    }
-  } while (start_pass(state));
-  return Status::converged;
+  state.work.budget = 0;
+  return go_on(state);
+}
+
+Status shoot_for(State& state, uint32_t budget) {
+  state.work.budget = budget == 0 ? 2 : budget + 1;  // the most there is stands for no limit
+  const Status status = go_on(state);
+  state.work.budget = 0;
+  return status;
+}
+
+void abandon_shot(State& state) {
+  state.sampling.stage = SamplingStage::none;
+  forget_view(state.work);
 }
 
 }  // namespace fixrad

@@ -33,6 +33,9 @@ void reset(State& state, const Scene& scene, const Settings& settings) {
   state.row.count = scene.element_count;
   state.work.span_high_water = 0;
   state.work.gaps_closed = 0;
+  state.work.budget = 0;
+  forget_view(state.work);
+  state.sampling = {};
   state.shots = state.eyes = state.withdrawn = 0;
   state.turn = 0;
   state.is_closed = is_closed(scene);
@@ -60,7 +63,7 @@ void reset(State& state, const Scene& scene, const Settings& settings) {
   emitted = flux_meant(emitted, scene.channels);
   state.a_row = quarter_part(emitted, settings.flux_per_row);
   state.an_eye = quarter_part(emitted, settings.flux_per_eye);
-  state.sweep = {SourceKind::element, scene.element_count, true, 0, {}};
+  state.sweep = {SourceKind::element, scene.element_count, true, false, 0, {}};
 }
 
 Ledger ledger(const State& state, int c) {

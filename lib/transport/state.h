@@ -57,8 +57,48 @@ struct Sweep {
   SourceKind kind;
   uint16_t cursor;  ///< next element (also of a face: its first) or patch
   bool has_shot;    ///< in this pass
+  bool grows;       ///< the pass has just turned to larger sources and is still to start
   uint64_t threshold;
   Radiosity ambient[kMaxChannels];  ///< lent in this pass; 0 without overshooting
+};
+
+/// What the sampling of a shot does next. The order of the first three is that of a patch or face, of the
+/// others that of an element.
+enum class SamplingStage : uint8_t {
+  none,           ///< no shot is under way
+  add_up,         ///< weights of a group's elements
+  draw,           ///< the element of a group's next eye
+  look_drawn,     ///< from its centroid
+  try_centroid,   ///< is an element's centroid clear?
+  look_centroid,  ///< from there alone
+  choose,         ///< the clear eyes of an element's subdivision
+  look_chosen,    ///< from them
+  look_buried,    ///< from the centroid though it is buried
+  complete,       ///< the row is
+  corrected       ///< and its near field too
+};
+
+/// The eyes of an element that sends from several.
+struct Subdivision {
+  uint16_t element;
+  uint16_t chosen;  ///< bit i: eye i of level x level is clear
+};
+
+/// How far the shot under way has come. What it has changed outside of row, work and this record is nothing
+/// before it is complete. The view under way is in Workspace::at.
+struct Sampling {
+  SamplingStage stage;
+  uint8_t turn;        ///< State::turn once the shot is complete
+  uint8_t level;       ///< of the element's subdivision
+  uint8_t eyes;        ///< that have been sampled
+  uint16_t index;      ///< of the group's element, or of the candidate eye, that comes next
+  uint16_t rows;       ///< that the shot is worth, all eyes; saturated
+  uint16_t withdrawn;  ///< eyes found to be buried
+  uint32_t total;      ///< of the group's weights
+  union {
+    uint32_t running;  ///< of the group's weights, up to index
+    Subdivision parts;
+  };
 };
 
 /// Everything a solver knows. The arrays belong to the storage.
@@ -81,6 +121,7 @@ struct State {
   uint32_t a_row;   ///< settings.flux_per_row of what is emitted, all channels, in 4 flux units; at least 1
   uint32_t an_eye;  ///< flux_per_eye, likewise
   Sweep sweep;
+  Sampling sampling;
   uint16_t next_emitter;  ///< elements before it have sent what they emit
   uint8_t turn;           ///< next angle of the fixed sequence
   bool is_closed;         ///< back faces are never the nearest

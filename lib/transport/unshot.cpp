@@ -107,11 +107,10 @@ uint64_t unshot_of(const State& state, const EyeSource& source, Flux* unshot) {
   return flux_meant(sum, state.scene.channels);
 }
 
-bool plan_amount(const State& state, const EyeSource& source, Flux* unshot, Flux* amount) {
-  unshot_of(state, source, unshot);
+bool plan_amount(const State& state, const EyeSource& source, Flux* amount) {
   bool is_any = false;
   for (int c = 0; c < state.scene.channels; ++c) {
-    int32_t flux = source.kind == SourceKind::face ? unshot[c].raw : 0;
+    int32_t flux = source.kind == SourceKind::face ? account_of(state, c)[source.face] : 0;
     for (uint16_t i = 0; source.kind != SourceKind::face && i < source.count; ++i) {
       const uint16_t e = source_element(state.scene, source, i);
       const uint32_t after = long_flux(sent_after(state, e, c));
@@ -123,15 +122,21 @@ bool plan_amount(const State& state, const EyeSource& source, Flux* unshot, Flux
   return is_any;
 }
 
-void book_sent(State& state, const EyeSource& source) {
+void book_sent(State& state, const EyeSource& source, Flux* amount) {
   for (int c = 0; c < state.scene.channels; ++c) {
+    int32_t flux = 0;
     if (source.kind == SourceKind::face) {
-      account_of(state, c)[source.face] = 0;
+      int32_t& account = account_of(state, c)[source.face];
+      flux = account;
+      account = 0;
     }
     for (uint16_t i = 0; source.kind != SourceKind::face && i < source.count; ++i) {
       const uint16_t e = source_element(state.scene, source, i);
-      set_sent(state, e, c, sent_after(state, e, c));
+      const uint16_t after = sent_after(state, e, c);
+      flux += static_cast<int32_t>(long_flux(after) - sent_flux(state, e, c));
+      set_sent(state, e, c, after);
     }
+    amount[c] = Flux::from_raw(flux);
   }
 }
 

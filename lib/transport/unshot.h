@@ -24,12 +24,12 @@ uint32_t sent_flux(const State& state, uint16_t e, int c);
 uint64_t unshot_of(const State& state, const EyeSource& source, Flux* unshot);
 
 /// What `source` can send now: its unshot flux, where its account can hold the sum that it has sent, and what
-/// the pass lends it, never more than its unshot flux (larger loans were seen to diverge). unshot, amount
-/// [channels]. Returns whether there is anything.
-bool plan_amount(const State& state, const EyeSource& source, Flux* unshot, Flux* amount);
+/// the pass lends it, never more than its unshot flux (larger loans were seen to diverge). amount [channels].
+/// Returns whether there is anything.
+bool plan_amount(const State& state, const EyeSource& source, Flux* amount);
 
-/// Books that `source` sends what plan_amount() says.
-void book_sent(State& state, const EyeSource& source);
+/// Books that `source` sends what plan_amount() says, and says it too.
+void book_sent(State& state, const EyeSource& source, Flux* amount);
 
 /// From now on faces shoot. Uses the row of form factors as scratch memory.
 void group_by_face(State& state);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lib/vertices/vertex_gather.h"
 
+#include "lib/transport/shooting.h"
+
 namespace fixrad {
 namespace {
 
@@ -29,6 +31,7 @@ Status gather_if_clear(State& state, const DeltaTable& table, DirectLight direct
 Status gather_vertex(State& state, const DeltaTable& table, DirectLight direct,
                      const FIXRAD_FLASH GatherPoint* points, uint8_t count, uint8_t enough,
                      const Radiosity* ambient, VertexLight& light) {
+  abandon_shot(state);
   const Scene& scene = state.scene;
   uint64_t sum[kMaxChannels] = {0, 0, 0};
   light.clear_points = 0;

@@ -87,6 +87,37 @@ TEST(Ledger, BalancesWithLunes) {
   EXPECT_EQ(solver.state().escaped[0], 0);
 }
 
+// Slices of every length, some given up, and the ledger of the last complete shot all the while.
+TEST(Shot, InSlicesGivesTheBitsOfShotsInOnePiece) {
+  BoxSolver& solver = box_solver();
+  const State& state = solver.state();
+  Settings settings = box_settings();
+  settings.flux_per_eye = fraction(1, 6);
+  settings.tables = &kDelta8;
+  ASSERT_EQ(solver.load(box_scene(kLampAndWalls, kFaces, 3), settings), Status::ok);
+  while (state.shots < 8) {
+    ASSERT_EQ(solver.step(), Status::ok);
+  }
+  int32_t received[kFaces * kElementsPerFace];
+  for (uint8_t e = 0; e < kFaces * kElementsPerFace; ++e) {
+    received[e] = state.received[e * 3u];
+  }
+  const uint32_t eyes = state.eyes;
+  ASSERT_EQ(solver.load(box_scene(kLampAndWalls, kFaces, 3), settings), Status::ok);
+  for (uint16_t call = 0; state.shots < 8; ++call) {
+    const Status status = solver.step(call % 5u + 1u);
+    ASSERT_TRUE(status == Status::ok || status == Status::in_progress);
+    if (call % 97u == 0) {
+      abandon_shot(solver.state());
+      ASSERT_EQ(ledger(state, 0).imbalance(), 0);
+    }
+  }
+  EXPECT_EQ(state.eyes, eyes);
+  for (uint8_t e = 0; e < kFaces * kElementsPerFace; ++e) {
+    EXPECT_EQ(state.received[e * 3u], received[e]);
+  }
+}
+
 // One shot of each element of the lamp: what arrives is what was sent, and the lamp, which is black, keeps
 // nothing.
 TEST(Shot, MovesTheWholeEmissionOfAnElement) {

@@ -33,11 +33,12 @@ SMALL = 2048
 # A chip gathers, and refines its mesh, by rows.
 ROWS = ("hemicube_rows", "lune_rows", "hemicube_pixels")
 INDIRECT = (
-    *((name, ENGINES) for name in ("look", "look_from_centroid", "sample", "sample_buried", "sample_group",
-                                   "sample_element", "sample_source")),
+    *((name, ENGINES) for name in ("look", "look_from_centroid", "look_from_whole", "look_from_drawn", "look_from_chosen",
+                                   "do_stage", "go_on_with_source", "sample_element")),
     ("sample_matrix_row", ENGINES + NEAR_FIELD),
     ("gather_irradiance", ROWS),
-    ("withdraw", ()),
+    *((name, ()) for name in ("begin_row", "begin_source", "begin_if_strong", "begin_emission", "begin_reflection",
+                              "begin_shot", "report_shot", "book_shot")),
     # Start-up code calls the static constructors, then main().
     ("reset_handler", ("_GLOBAL__sub_I_*",)),
     ("start", ("_GLOBAL__sub_I_*",)),
@@ -45,8 +46,7 @@ INDIRECT = (
     *((name, ("read_vertex", "take_row")) for name in ("read_light", "fetch", "load", "draw", "hand_over",
                                                        "draw_picture")),
     *((name, HIGHLIGHTS) for name in ("own_light", "part", "draw_polygon", "draw_triangle")),
-    ("fire", ENGINES + NEAR_FIELD),
-    ("shoot", ENGINES + NEAR_FIELD),
+    *((name, ENGINES + NEAR_FIELD) for name in ("correct_row", "go_on", "shoot", "shoot_for")),
 )
 
 # Bytes that the compiler's helpers use in all, read off their disassembly and rounded up: the deepest path through
