@@ -15,6 +15,9 @@ namespace {
 
 constexpr int kTablesOfPeer = 4;  // R = 4 to 32
 
+// The peer is still at it after this many times the core's shots: it will not come to its end.
+constexpr std::uint64_t kPatience = 4;
+
 // Ledgers are added up after each of the first shots, later now and then: that is as much work as a shot.
 bool is_looked_at(std::uint32_t shots) {
   return shots < 1000 || shots % 997 == 0;
@@ -112,10 +115,10 @@ struct Run {
 
   bool suits_peer() const { return settings.engine == lune_rows && settings.table_count <= kTablesOfPeer; }
 
-  void solve_peer(Trial& trial) {
+  void solve_peer(std::uint64_t most_shots, Trial& trial) {
     PeerSolution solver(device, settings);
     trial.peer_status = Status::ok;
-    while (trial.peer_status == Status::ok && solver.solver().shots() < kMostShots) {
+    while (trial.peer_status == Status::ok && solver.solver().shots() < most_shots) {
       trial.peer_status = solver.step();
     }
     peer = read_peer(device, solver);
@@ -189,7 +192,7 @@ Trial try_case(const HardCase& hard, Rivals rivals) {
     }
     is_peer_asked = is_peer_asked && runs.back()->suits_peer();
     if (is_peer_asked) {
-      runs.back()->solve_peer(trial);
+      runs.back()->solve_peer(kPatience * trial.shots, trial);
     }
   }
   sum_up(hard, runs, &Run::core, trial.fixed);

@@ -23,12 +23,13 @@ struct Verdict {
 /// What came of a case: the fixed-point core, its twin in double (the same shots), the float peer.
 struct Trial {
   Verdict fixed, twin, peer;
-  Status status = Status::ok;       ///< converged, or why the core did not come to its end
-  Status peer_status = Status::ok;  ///< likewise of the peer; ok: it was still shooting after kMostShots
-  std::uint64_t shots = 0;          ///< of all models
-  std::int64_t imbalance = 0;       ///< largest of all channels' ledgers, flux units, at any look
-  std::uint32_t saturated = 0;      ///< elements whose radiosity is the largest that 32 bits hold
-  std::uint32_t rises = 0;          ///< shots after which the sum of |unshot| had grown
+  Status status = Status::ok;  ///< converged, or why the core did not come to its end
+  Status peer_status =
+      Status::ok;  ///< likewise of the peer; ok: it was still shooting after four times as many shots
+  std::uint64_t shots = 0;      ///< of all models
+  std::int64_t imbalance = 0;   ///< largest of all channels' ledgers, flux units, at any look
+  std::uint32_t saturated = 0;  ///< elements whose radiosity is the largest that 32 bits hold
+  std::uint32_t rises = 0;      ///< shots after which the sum of |unshot| had grown
 };
 
 /// Who takes part beside the core.
