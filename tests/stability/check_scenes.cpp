@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Properties of random scenes, as many as one likes; failures are made small and printed.
+//   check_scenes [--count N] [--first-seed N] [--property NAME]
+// Exit code 1 if a scene fails.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "tests/stability/properties.h"
+
+int main(int argc, char** argv) {
+  using namespace fixrad::host;
+  constexpr std::size_t kMostFailures = 5;
+  std::uint64_t count = 1000, first = 0;
+  std::string only;
+  CLI::App app("Check properties of random scenes");
+  app.add_option("--count", count, "scenes");
+  app.add_option("--first-seed", first, "seed of the first; the others follow");
+  app.add_option("--property", only, "check this one alone");
+  CLI11_PARSE(app, argc, argv);
+  bool is_good = true, is_any = false;
+  for (const Property& property : properties()) {
+    if (!only.empty() && property.name != only) {
+      continue;
+    }
+    is_any = true;
+    const std::vector<Failure> failures = check_scenes(property, first, count, kMostFailures);
+    std::printf("%s: seeds %llu to %llu, %s\n", property.name.c_str(), static_cast<unsigned long long>(first),
+                static_cast<unsigned long long>(first + count - 1),
+                failures.empty() ? "all keep to it" : "FAILED");
+    for (const Failure& failure : failures) {
+      std::printf("%s\n", report(failure, property).c_str());
+    }
+    std::fflush(stdout);
+    is_good = is_good && failures.empty();
+  }
+  if (!is_any) {
+    std::fprintf(stderr, "check_scenes: no property %s\n", only.c_str());
+  }
+  return is_any ? (is_good ? 0 : 1) : 2;
+}
