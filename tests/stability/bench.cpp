@@ -9,7 +9,8 @@
 namespace fixrad::host {
 namespace {
 
-constexpr std::uint32_t kPiercing = 24;  // spans beyond twice the faces, for bodies that run through each other
+constexpr std::uint32_t kPiercing =
+    24;  // spans beyond twice the faces, for bodies that run through each other
 
 Sizes roomy(const DeviceScene& device, const RandomScene& scene, const Settings& settings) {
   Sizes sizes =
@@ -21,7 +22,8 @@ Sizes roomy(const DeviceScene& device, const RandomScene& scene, const Settings&
 
 DeviceScene device_of(const Model& model, const RandomScene& scene, const Settings& settings) {
   const PreparedScene prepared = prepare(model);
-  DeviceScene device = make_device_scene(prepared, make_uniform(prepared, scene.elements, scene.elements / 4));
+  DeviceScene device =
+      make_device_scene(prepared, make_uniform(prepared, scene.elements, scene.elements / 4));
   if (scene.knows_sights) {
     find_sights(device, roomy(device, scene, settings));
     seal_bodies(device, roomy(device, scene, settings));

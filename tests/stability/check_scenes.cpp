@@ -7,6 +7,18 @@
 
 #include "tests/stability/properties.h"
 
+namespace {
+
+std::uint64_t closed_rooms(std::uint64_t first, std::uint64_t count) {
+  std::uint64_t closed = 0;
+  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    closed += fixrad::host::random_scene(seed).is_closed ? 1 : 0;
+  }
+  return closed;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   using namespace fixrad::host;
   constexpr std::size_t kMostFailures = 5;
@@ -24,8 +36,9 @@ int main(int argc, char** argv) {
     }
     is_any = true;
     const std::vector<Failure> failures = check_scenes(property, first, count, kMostFailures);
-    std::printf("%s: seeds %llu to %llu, %s\n", property.name.c_str(), static_cast<unsigned long long>(first),
-                static_cast<unsigned long long>(first + count - 1),
+    std::printf("%s: seeds %llu to %llu, %llu of them closed rooms: %s\n", property.name.c_str(),
+                static_cast<unsigned long long>(first), static_cast<unsigned long long>(first + count - 1),
+                static_cast<unsigned long long>(closed_rooms(first, count)),
                 failures.empty() ? "all keep to it" : "FAILED");
     for (const Failure& failure : failures) {
       std::printf("%s\n", report(failure, property).c_str());

@@ -37,7 +37,6 @@ std::string report(const Failure& failure, const Property& property);
 /// Checks the scenes of the seeds first .. first + count - 1; returns the shrunk failures, at most `most` of
 /// them. `progress` hears the number of scenes done.
 std::vector<Failure> check_scenes(const Property& property, std::uint64_t first, std::uint64_t count,
-                                  std::size_t most,
-                                  const std::function<void(std::uint64_t)>& progress = {});
+                                  std::size_t most, const std::function<void(std::uint64_t)>& progress = {});
 
 }  // namespace fixrad::host

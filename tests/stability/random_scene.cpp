@@ -39,7 +39,10 @@ glm::ivec3 colour(Dice& dice, int low, int high, bool is_grey) {
 // through each other.
 Body random_body(Dice& dice, const RandomScene& scene) {
   const int kinds = scene.is_closed ? 1 : 3;
-  Body body = {static_cast<Kind>(dice.between(0, kinds)), {}, {}, dice.chance(50) ? 0 : dice.between(1, 89),
+  Body body = {static_cast<Kind>(dice.between(0, kinds)),
+               {},
+               {},
+               dice.chance(50) ? 0 : dice.between(1, 89),
                static_cast<std::uint32_t>(dice.between(0, static_cast<int>(scene.paints.size()) - 1))};
   for (int k = 0; k < 3; ++k) {
     const int margin = scene.room[k] / 20;
@@ -63,8 +66,8 @@ void choose_paints(Dice& dice, RandomScene& scene) {
   const int lamps = dice.between(1, 2);
   const int count = dice.between(2, 4);
   for (int i = 0; i < count; ++i) {
-    scene.paints.push_back({colour(dice, 0, 95, is_grey),
-                            i < lamps ? colour(dice, 10, 900, is_grey) : glm::ivec3(0)});
+    scene.paints.push_back(
+        {colour(dice, 0, 95, is_grey), i < lamps ? colour(dice, 10, 900, is_grey) : glm::ivec3(0)});
   }
 }
 

@@ -26,11 +26,11 @@ struct RandomScene {
   };
 
   std::uint64_t seed = 0;
-  bool is_closed = false;         ///< a whole room in which only closed bodies stand or float
-  glm::ivec3 room{0};             ///< its size
-  std::array<bool, 6> walls{};    ///< which stand; all if closed
+  bool is_closed = false;       ///< a whole room in which only closed bodies stand or float
+  glm::ivec3 room{0};           ///< its size
+  std::array<bool, 6> walls{};  ///< which stand; all if closed
   std::array<std::uint32_t, 6> wall_paint{};
-  std::vector<Paint> paints;      ///< the first one emits
+  std::vector<Paint> paints;  ///< the first one emits
   std::vector<Body> bodies;
 
   // How it is solved.

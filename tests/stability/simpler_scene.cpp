@@ -59,6 +59,11 @@ void simplify_paints(const RandomScene& scene, Steps& steps) {
   }
   const auto one_paint = [](RandomScene& s) { s.wall_paint.fill(0); };
   add_step(scene, steps, one_paint, [&](const RandomScene& s) { return s.wall_paint == scene.wall_paint; });
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    add_step(
+        scene, steps, [i](RandomScene& s) { s.bodies[i].material = 0; },
+        [&scene, i](const RandomScene& s) { return s.bodies[i].material == scene.bodies[i].material; });
+  }
 }
 
 void coarsen(const RandomScene& scene, Steps& steps) {
