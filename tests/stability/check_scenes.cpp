@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Properties of random scenes, as many as one likes; failures are made small and printed.
 //   check_scenes [--count N] [--first-seed N] [--property NAME]
+//   check_scenes --list
 // Exit code 1 if a scene fails.
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -28,7 +29,16 @@ int main(int argc, char** argv) {
   app.add_option("--count", count, "scenes");
   app.add_option("--first-seed", first, "seed of the first; the others follow");
   app.add_option("--property", only, "check this one alone");
+  bool is_list = false;
+  app.add_flag("--list", is_list,
+               "name all properties, each with its theory behind a tab, and check nothing");
   CLI11_PARSE(app, argc, argv);
+  if (is_list) {
+    for (const Property& property : properties()) {
+      std::printf("%s\t%s\n", property.name.c_str(), property.theory.c_str());
+    }
+    return 0;
+  }
   bool is_good = true, is_any = false;
   for (const Property& property : properties()) {
     if (!only.empty() && property.name != only) {

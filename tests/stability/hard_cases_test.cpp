@@ -2,9 +2,12 @@
 // Every hard case within the bound that theory gives it, in the fixed-point core.
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <ostream>
+#include <sstream>
 
 #include "host_sim/simulate/simulated_device.h"
+#include "tests/stability/properties.h"
 #include "tests/stability/trial.h"
 
 namespace fixrad::host {
@@ -33,6 +36,21 @@ TEST_P(HardCases, EndWithinTheBoundsThatTheoryGives) {
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, HardCases, testing::ValuesIn(hard_cases()),
                          [](const auto& c) { return c.param.name; });
+
+// scripts/measure_stability.py writes it.
+TEST(StabilityPage, TellsOfEveryCaseAndEveryProperty) {
+  std::ifstream file(FIXRAD_SOURCE_DIR "/docs/stability.md");
+  std::stringstream page;
+  page << file.rdbuf();
+  for (const HardCase& hard : hard_cases()) {
+    EXPECT_NE(page.str().find("\n### " + hard.name + "\n"), std::string::npos) << hard.name;
+    EXPECT_NE(page.str().find(hard.theory), std::string::npos) << hard.name;
+  }
+  for (const Property& property : properties()) {
+    EXPECT_NE(page.str().find("| " + property.name + " | " + property.theory + " |"), std::string::npos)
+        << property.name;
+  }
+}
 
 }  // namespace
 }  // namespace fixrad::host

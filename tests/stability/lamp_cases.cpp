@@ -68,8 +68,8 @@ std::vector<Finding> light_on_a_dark_wall(const std::vector<Light>& lights) {
   std::vector<Finding> findings;
   const double part =
       0.25 * parallel_form_factor(kLampA, kWall, 1) + 0.75 * parallel_form_factor(kLampB, kWall, 1);
-  expect_received(lights[0], 2, "received by the wall", part, kPermille, findings);
-  findings.push_back({"escaped", lights[0].escaped[0], 1 - part, kPermille});
+  expect_received(lights[0], 2, "received by the wall", part, 2 * kPermille, findings);
+  findings.push_back({"escaped", lights[0].escaped[0], 1 - part, 2 * kPermille});
   expect_radiosity(lights[0], 2, 2, 0, 0, findings);
   return findings;
 }
