@@ -50,7 +50,8 @@ def main():
     claims = dict(line.split("\t", 1) for line in run(programs / "check_scenes", "--list").splitlines())
     rows = [(name, claims[name], int(last) - int(first) + 1, int(closed), verdict == "all keep to it")
             for name, first, last, closed, verdict in LINE.findall(scenes)]
-    PAGE.write_text(page(json.loads(cases), rows))
+    bounds = json.loads(run(programs / "measure_stability", "--bounds"))
+    PAGE.write_text(page(json.loads(cases), bounds, rows))
     broken = [c["name"] for c in json.loads(cases) if not all(f["holds"] for f in c["fixed"]["findings"])]
     return 1 if broken or not all(row[-1] for row in rows) else 0
 
