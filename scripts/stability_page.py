@@ -35,10 +35,11 @@ has no more than 32 lunes).
 
 FINDINGS = """## What the cases show
 
-- **Float creates light where it is to bounce a thousand times.** What a face has still to send is the difference of two
-  sums that are a thousand times larger. Once it is less than a float can tell from them, the peer sends rounding: it
-  never comes to its end, and its ledger is off by 61 % of what was emitted at ρ = 0.999 and by 32 times that at 65535/65536
-  when it is given up. The core's ledger is exact, so every unit that is shot is one that was there.
+- **Float creates light where it is to bounce a thousand times.** A share that arrives is added to a sum that is a million
+  times larger, and is rounded there by more than the 1 − ρ of it that is to be absorbed. Where it is rounded up light
+  grows instead of fading: the peer does not come to its end, and when it is given up its ledger is off by 61 % of what was
+  emitted at ρ = 0.999 and by 32 times that at 65535/65536. The core's sums are integers: nothing is rounded but the part
+  that is reflected, and that on totals.
 - **Integers have a last unit.** Flux keeps a headroom of 1 / (1 − ρ), so all that is emitted is 2^30 (1 − ρ) units. An
   element absorbs received − floor(ρ received): its first unit at once, half a unit too early in the mean. N elements
   are thereby N / 2 of 2^30 (1 − ρ) units too dark: nothing at ρ = 0.9, 0.1 % of 2000 elements at 0.999, 0.02 % of six at
@@ -184,7 +185,7 @@ def scene_table(rows):
 
 
 def bound_table(bounds):
-    rows = [[b["scene"], "yes" if b["overshoots"] else "no", f"{b['moments']:,}", f"{b['worst']:.3f}", f"{b['last']:.3f}"]
+    rows = [[b["scene"], "yes" if b["overshoots"] else "no", f"{b['moments']:,}", f"{b['worst']:.6f}", f"{b['last']:.6f}"]
             for b in bounds]
     return table(["scene", "overshooting", "moments", "largest", "at the end"], rows, ("moments", "largest", "at the end"))
 
