@@ -138,7 +138,9 @@ std::vector<Finding> symmetric(const std::vector<Light>& lights) {
       expect_no_leak(lights[i], findings);
     }
   }
-  findings.push_back({"largest difference of a face from the first image, over the mean", faces, 0, 0.02});
+  constexpr double kNoise = 0.01;  // of the mean, a face's by 150 elements with 32 lunes
+  findings.push_back(
+      {"largest difference of a face from the first image, over the mean", faces, 0, 2 * kNoise});
   findings.push_back({"largest difference of what escapes", gone, 0, IsClosed ? 0 : 0.002});
   findings.push_back({"elements of the 24 rotations that receive another flux", turned, 0, 0});
   return findings;
@@ -179,12 +181,12 @@ std::vector<HardCase> size_cases() {
        room_with_boxes, full, capacity_law},
       {"SymmetriesOfAClosedRoom", "Every axis permutation, mirror and rotation by 90 degrees of one scene.",
        "Nothing escapes from any. Rotations leave every product that the core takes as it was: the same flux "
-       "to the unit. "
-       "Mirrors turn the rows the other way: the same within the noise of sampling.",
+       "to the unit. Mirrors turn the rows the other way: both are within the noise of sampling of the same "
+       "solution, 1 % of the mean for a face, so within 2 % of each other.",
        all_images_of_a_closed_room, fine, symmetric<12, true>},
       {"SymmetriesOfAnOpenRoom", "The same without a ceiling.",
-       "As much escapes from each, to the unit under rotations.", all_images_of_an_open_room, fine,
-       symmetric<11, false>},
+       "As much escapes from each, to the unit under rotations; mirrored, within 0.2 % of what is emitted.",
+       all_images_of_an_open_room, fine, symmetric<11, false>},
   };
 }
 
