@@ -14,6 +14,7 @@
 #include "host_sim/reference/refined_radiosity.h"
 #include "host_sim/reference/twin.h"
 #include "host_sim/report/text.h"
+#include "host_sim/simulate/convergence.h"
 
 namespace fixrad::host {
 namespace {
@@ -147,6 +148,61 @@ FaceMeanError arithmetic_error(const BakeResult& result, const std::vector<glm::
   return {error.mean, error.max, result.device.mesh.elements[error.worst_element].input_face};
 }
 
+// How far one channel is from its converged solution; fluxes over all that elements receive in the end.
+struct Convergence {
+  double unshot, largest_reflectance, bound, distance;
+};
+
+// The converged solution has this part of the unshot flux at most.
+constexpr double kConverged = 0.001;
+
+// Solves once more, to the same state, and on from there.
+std::vector<Convergence> measure_convergence(const CommonOptions& options, const BakeResult& result) {
+  SimulatedDevice device(result.plan.sizes);
+  const Settings settings = make_settings(options.bake, result.plan);
+  if (device.load(result.device.view(), settings) != Status::ok) {
+    return {};
+  }
+  State& state = device.state();
+  while (shoot(state) == Status::ok) {
+  }
+  const std::vector<ErrorBound> bounds = error_bounds(state);
+  const std::vector<std::int32_t> stopped = received_flux_of(state);
+  shoot_on(state, Fraction::from_raw(static_cast<std::uint32_t>(kConverged * settings.stop.raw)));
+  const std::vector<std::int32_t> converged = received_flux_of(state);
+  std::vector<Convergence> channels;
+  for (int c = 0; c < state.scene.channels; ++c) {
+    const ErrorBound& bound = bounds[static_cast<std::size_t>(c)];
+    const FluxDistance flux = flux_distance(stopped, converged, c, state.scene.channels);
+    const double total = std::max(1.0, flux.total);
+    channels.push_back(
+        {bound.unshot / total, bound.largest_reflectance, bound.flux / total, flux.distance / total});
+  }
+  return channels;
+}
+
+void print(const std::vector<Convergence>& channels) {
+  constexpr const char* kNames[] = {"red", "green", "blue"};
+  std::printf("  Convergence, flux received by all elements:");
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    std::printf("%s %s unshot %.4f %%, error bound %.4f %%, distance to the converged solution %.4f %%",
+                c == 0 ? "" : ";\n   ", channels.size() == 1 ? "all channels" : kNames[c],
+                100 * channels[c].unshot, 100 * channels[c].bound, 100 * channels[c].distance);
+  }
+  std::printf(".\n");
+}
+
+nlohmann::ordered_json to_json(const std::vector<Convergence>& channels) {
+  nlohmann::ordered_json json;
+  for (const Convergence& c : channels) {
+    json.push_back({{"unshot", c.unshot},
+                    {"largest_reflectance", c.largest_reflectance},
+                    {"error_bound", c.bound},
+                    {"distance", c.distance}});
+  }
+  return json;
+}
+
 Budget measure(const LoadedScene& scene, const CommonOptions& options, const BakeResult& result,
                const Recorder& recorder) {
   const DeviceScene& device = result.device;
@@ -215,6 +271,9 @@ int run_compare(const CommonOptions& options) {
     const Budget budget = measure(*scene, options, result, *recorder);
     print(*scene, result, budget);
     json.update(to_json(scene->model, budget));
+    const std::vector<Convergence> convergence = measure_convergence(options, result);
+    print(convergence);
+    json["convergence"] = to_json(convergence);
   }
   if (options.points > 0) {
     const PointBudget points = measure_points(*scene, options, result);

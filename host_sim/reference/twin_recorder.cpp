@@ -14,6 +14,12 @@ Observer Recorder::observer() {
   return observer;
 }
 
+void Recorder::forget_shots() {
+  shots_.clear();
+  eyes_.erase(eyes_.begin(), eyes_.begin() + static_cast<std::ptrdiff_t>(shot_eyes_));
+  shot_eyes_ = 0;
+}
+
 void Recorder::take_shot(const Shot& shot) {
   RecordedShot recorded = {shot.is_emission, {}, shot_eyes_, eyes_.size() - shot_eyes_, {0, 0, 0}};
   for (std::uint16_t i = 0; i < shot.source.count; ++i) {

@@ -39,6 +39,9 @@ class Recorder {
   const std::vector<RecordedShot>& shots() const { return shots_; }
   const std::vector<RecordedEye>& eyes() const { return eyes_; }
 
+  /// Drops the shots so far, once a twin has replayed them: a run of millions need not be kept whole.
+  void forget_shots();
+
  private:
   void take_shot(const Shot& shot);
   void withdraw() { eyes_.resize(shot_eyes_); }

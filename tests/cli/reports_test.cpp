@@ -8,10 +8,19 @@ namespace {
 
 using ::testing::HasSubstr;
 
-TEST(Compare, PrintsTheErrorBudgetLineByLine) {
+// In the closed box, of one reflectance, the error bound is what happens.
+void expect_tight_bound(const nlohmann::json& channel) {
+  const double bound = channel["error_bound"].get<double>(), distance = channel["distance"].get<double>();
+  const double absorbed = 1 - channel["largest_reflectance"].get<double>();
+  EXPECT_LE(distance, bound);
+  EXPECT_GE(distance, 0.98 * bound);
+  EXPECT_NEAR(bound * absorbed / channel["unshot"].get<double>(), 1.0, 0.01);
+}
+
+TEST(Compare, PrintsTheErrorBudgetLineByLineAndTheErrorBoundBesideTheDistance) {
   const ScratchFolder folder;
-  const Outcome run = run_tool(
-      {"compare", sample_scene("closed_box"), "--profile", "tiny", "--json", folder / "errors.json"});
+  const Outcome run = run_tool({"compare", sample_scene("closed_box"), "--profile", "tiny", "--no-overshoot",
+                                "--json", folder / "errors.json"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   const auto json = nlohmann::json::parse(contents(folder / "errors.json"));
   ASSERT_EQ(json["errors"].size(), 4u);
@@ -29,6 +38,10 @@ TEST(Compare, PrintsTheErrorBudgetLineByLine) {
   }
   EXPECT_LE(json["errors"][0]["mean"].get<double>(), 0.0015);
   EXPECT_LE(json["errors"][0]["worst"].get<double>(), 0.015);
+  EXPECT_THAT(run.out, HasSubstr("error bound "));
+  EXPECT_THAT(run.out, HasSubstr("distance to the converged solution "));
+  ASSERT_EQ(json["convergence"].size(), 1u);
+  expect_tight_bound(json["convergence"][0]);
 }
 
 TEST(Compare, ItsTwoIndependentReferencesAgree) {

@@ -14,7 +14,7 @@ namespace fixrad::host {
 Settings peer_settings(Fraction stop);
 
 /// The storage that all tests share.
-using Peer = peer::Solver<Limits<400, 300, 2000, 2000>>;
+using Peer = peer::Solver<Limits<400, 300, 5000, 2000>>;
 
 /// The float peer on the scene of a core's solution, with the core's settings; not yet solved. Fails the
 /// current test if it does not load.

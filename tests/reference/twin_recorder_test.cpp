@@ -41,6 +41,29 @@ TEST(Recorder, DropsEyesThatWereWithdrawn) {
   EXPECT_EQ(recorder.eyes()[recorder.shots()[0].first_eye].sample.eye.position.x, 2);
 }
 
+// A twin that replays as it goes needs no more memory than a shot.
+TEST(Recorder, ForgetsShotsAndKeepsTheEyesOfTheComingOne) {
+  TwinRoom room;
+  const std::uint16_t paint = room.add_material({0.5, 0.5, 0.5}, {1, 1, 1});
+  room.add_box({0, 0, 0}, {8000, 0, 0}, {0, 8000, 0}, {0, 0, 8000}, true, 4, paint);
+  const Scene scene = room.scene();
+  State state = {};
+  state.scene = scene;
+  Recorder recorder(state);
+  const Observer observer = recorder.observer();
+  const Flux eight = Flux::from_raw(8);
+  const Shot shot = {patch_source(scene, 5), false, {eight, eight, eight}, {eight, eight, eight}};
+  observer.on_eye(observer.context, kDelta16, {{{1, 1, 1}, 0, 0}, kRowOne, true});
+  observer.on_shot(observer.context, shot);
+  observer.on_eye(observer.context, kDelta16, {{{2, 2, 2}, 0, 1}, kRowOne, true});
+  recorder.forget_shots();
+  EXPECT_TRUE(recorder.shots().empty());
+  observer.on_shot(observer.context, shot);
+  ASSERT_EQ(recorder.shots().size(), 1u);
+  ASSERT_EQ(recorder.shots()[0].eye_count, 1u);
+  EXPECT_EQ(recorder.eyes()[recorder.shots()[0].first_eye].sample.eye.position.x, 2);
+}
+
 TEST(CompareArithmetic, WeighsTheMeanByAreaAndTakesTheWorstChannel) {
   // Mean light of the twin: (3 * 2 + 1 * 6) / 4 = 3. Channel 1 differs by 0.3 on the small element only.
   const std::vector<glm::dvec3> twin = {{2, 2, 0}, {6, 6, 0}};
