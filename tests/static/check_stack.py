@@ -38,6 +38,10 @@ INDIRECT = (
     ("sample_matrix_row", ENGINES + NEAR_FIELD),
     ("gather_irradiance", ROWS),
     ("withdraw", ()),
+    # An engine is identified by what it does; where a saved state goes to and comes from is the firmware's.
+    ("mix_view", ENGINES + NEAR_FIELD),
+    ("put", ()),
+    ("get", ()),
     # Start-up code calls the static constructors, then main().
     ("reset_handler", ("_GLOBAL__sub_I_*",)),
     ("start", ("_GLOBAL__sub_I_*",)),
