@@ -19,12 +19,14 @@ SlotChoice choose_slot(const State& state, const Identity& identity, const State
   uint32_t sequence[2] = {0, 0};
   const bool has_first = sequence_in(state, identity, slots[0], sequence[0]);
   const bool has_second = sequence_in(state, identity, slots[1], sequence[1]);
-  if (!has_first && !has_second) {
-    return {kNoSlot, 0, 1};
-  }
   const uint32_t ahead = sequence[1] - sequence[0];
   const bool is_second = has_second && (!has_first || (ahead != 0 && ahead < 0x80000000u));
-  return after_saving({kNoSlot, static_cast<uint8_t>(is_second ? 1 : 0), sequence[is_second ? 1 : 0]});
+  SlotChoice choice =
+      after_saving({kNoSlot, static_cast<uint8_t>(is_second ? 1 : 0), sequence[is_second ? 1 : 0]});
+  if (!has_first && !has_second) {
+    choice.newest = kNoSlot;
+  }
+  return choice;
 }
 
 }  // namespace fixrad
