@@ -9,7 +9,7 @@
 namespace fixrad {
 namespace storage {
 
-/// Puts `byte` at `offset`; false if there is no such place. Cost on an ATmega2560: 3.4 ms where the byte
+/// Puts `byte` at `offset`; false if there is no such place. Cost on an ATmega2560: 3.3 ms where the byte
 /// changes.
 bool write(uint16_t offset, uint8_t byte);
 
