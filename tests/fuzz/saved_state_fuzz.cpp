@@ -175,7 +175,10 @@ void offer(Loaded<Solver>& loaded, unsigned mode, Bytes bytes) {
   const Bytes again = saved(state, loaded.identity, static_cast<std::uint32_t>(number(bytes, 16, 4)));
   require(again.size() <= bytes.size() && std::memcmp(again.data(), bytes.data(), again.size()) == 0);
   require_balance(state);
-  for (int i = 0; i < kShots && loaded.solver->step() == Status::ok; ++i) {
+  // Sums that were made right may be those of a state that lends until a flux overflows (docs/numbers.md),
+  // which sanitizers report: such a state takes no further shot.
+  const bool may_overflow = (mode & kOvershooting) != 0 && (mode & kSummed) != 0;
+  for (int i = 0; i < kShots && !may_overflow && loaded.solver->step() == Status::ok; ++i) {
     require_balance(state);
   }
   require(loaded.solver->resume(loaded.identity, {&loaded.start, read}) == SaveStatus::ok);
