@@ -16,6 +16,9 @@
 // clang-format on
 
 #include "lib/refine/refinement.h"
+#include "lib/save/resume.h"
+#include "lib/save/save.h"
+#include "lib/save/slots.h"
 #include "lib/transport/gathering.h"
 #include "lib/transport/irradiance.h"
 #include "lib/transport/shooting.h"
@@ -48,6 +51,11 @@ constexpr uint32_t pool_bytes(const Sizes& s) {
          s.faces * static_cast<uint32_t>(sizeof(FaceView)) + s.spans * static_cast<uint32_t>(sizeof(Span)) +
          s.elements * (4 * s.channels + 4) + 4 * s.channels * account_words(s.elements, s.faces) +
          s.pixel_resolution * s.pixel_resolution * static_cast<uint32_t>(sizeof(Item));
+}
+
+/// Bytes of memory that hold every saved state of a scene of these sizes; see saved_bytes().
+constexpr uint32_t saved_bytes(const Sizes& s) {
+  return saved_bytes(s.elements, s.faces, s.channels);
 }
 
 /// Bytes of everything else in a solver on a target with pointers of `pointer_bytes`, rounded up to whole
@@ -93,6 +101,20 @@ class Solver {
                              bool with_ambient = false) const {
     const Radiosity ambient = with_ambient ? ambient_radiosity(state_, channel) : Radiosity::from_raw(0);
     return fixrad::vertex_radiosity(state_, map, vertex, channel, ambient);
+  }
+
+  /// What states of this solution are known by: once, right after load(); see identify().
+  Identity identify() { return fixrad::identify(state_); }
+
+  /// Writes the state between two shots into `sink`; see save_state().
+  [[nodiscard]] SaveStatus save(const Identity& identity, const StateSink& sink,
+                                uint32_t sequence = 0) const {
+    return save_state(state_, identity, sink, sequence);
+  }
+
+  /// Goes on from a saved state of the same scene and settings, which have been loaded; see load_state().
+  [[nodiscard]] SaveStatus resume(const Identity& identity, const StateSource& source) {
+    return load_state(state_, identity, source);
   }
 
   State& state() { return state_; }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "host_sim/bake/clock.h"
+#include "host_sim/bake/state_file.h"
 #include "host_sim/simulate/eye_sights.h"
 #include "host_sim/simulate/sealed_bodies.h"
 
@@ -24,23 +25,65 @@ class Reporter {
       return true;
     }
     next_ = now + kReportEvery;
-    return progress_(state.shots, std::ldexp(static_cast<double>(unshot_fraction(state).raw), -32), now);
+    is_stopped_ =
+        !progress_(state.shots, std::ldexp(static_cast<double>(unshot_fraction(state).raw), -32), now);
+    return !is_stopped_;
   }
+
+  bool is_stopped() const { return is_stopped_; }
 
  private:
   const Progress& progress_;
   Clock clock_;
   double next_ = kReportEvery;
+  bool is_stopped_ = false;
 };
 
-Status run_shooting(State& state, Reporter& reporter) {
-  Status status = Status::ok;
-  while (status == Status::ok) {
-    if (!reporter.go_on(state)) {
-      return Status::ok;
+// Goes on from a saved state and saves, as the options say.
+class Keeper {
+ public:
+  Keeper(const StateOptions& options, State& state) : options_(options) {
+    if (!options.resume.empty() || !options.save.empty()) {
+      identity_ = identify(state);
     }
-    status = shoot(state);
+    if (!options.resume.empty()) {
+      const StateFile file(options.resume);
+      file.resume(state, identity_);
+      sequence_ = file.header().sequence + 1;
+    }
   }
+
+  // Whether the shots asked for are done.
+  bool is_enough(const State& state) const { return options_.shots && state.shots >= *options_.shots; }
+
+  void after_shot(const State& state) {
+    if (options_.save_every > 0 && state.shots % options_.save_every == 0) {
+      save(state);
+    }
+  }
+
+  void save(const State& state) {
+    if (!options_.save.empty()) {
+      write_state(options_.save, state, identity_, sequence_++);
+    }
+  }
+
+ private:
+  const StateOptions& options_;
+  Identity identity_ = {};
+  std::uint32_t sequence_ = 0;
+};
+
+Status run_shooting(State& state, Reporter& reporter, const StateOptions& options) {
+  Keeper keeper(options, state);
+  Status status = Status::ok;
+  while (status == Status::ok && !keeper.is_enough(state) && reporter.go_on(state)) {
+    status = shoot(state);
+    if (status == Status::ok) {
+      keeper.after_shot(state);
+    }
+  }
+  keeper.save(state);
   return status;
 }
 
@@ -124,14 +167,14 @@ BakeResult bake(const PreparedScene& scene, const BakeOptions& options, const Pr
   Reporter reporter(progress);
   const Clock clock;
   status = options.solver == "gathering" ? run_gathering(device.state(), reporter)
-                                         : run_shooting(device.state(), reporter);
+                                         : run_shooting(device.state(), reporter, options.state);
   result.seconds = clock.seconds();
   if (status == Status::span_pool_full) {
     throw InputError(scene.model->path + ": error: " + describe(status) + " (" +
                      std::to_string(result.plan.sizes.spans) +
                      "); its faces pierce each other too often: let none cross another");
   }
-  result.interrupted = status == Status::ok;
+  result.interrupted = reporter.is_stopped();
   read_out(device.state(), options.ambient, result);
   return result;
 }

@@ -16,6 +16,14 @@
 
 namespace fixrad::host {
 
+/// Where a solution goes on from and is saved to, files as of state_file.h; shooting only.
+struct StateOptions {
+  std::string resume;                  ///< empty: starts anew
+  std::string save;                    ///< written at the end, interrupted or not; empty: nowhere
+  std::uint32_t save_every = 0;        ///< and after so many shots; 0: at the end only
+  std::optional<std::uint32_t> shots;  ///< ends once there are so many, those before `resume` included
+};
+
 /// What the user may choose; everything left out follows from the profile.
 struct BakeOptions {
   std::string profile = "large";
@@ -30,6 +38,7 @@ struct BakeOptions {
   bool overshoot = true;
   bool near_field = false;  ///< correct the rows of near pairs
   bool ambient = false;     ///< add the ambient estimate of the rest to the result
+  StateOptions state;
 };
 
 /// How a scene is put into a profile's memory.
@@ -77,7 +86,7 @@ struct BakeResult {
 };
 
 /// Runs the integer core on `scene`. `observer` may watch the shots (the twin does). Throws InputError as
-/// make_plan, or if the core refuses the scene.
+/// make_plan, if the core refuses the scene, or if a state cannot be resumed or saved.
 BakeResult bake(const PreparedScene& scene, const BakeOptions& options, const Progress& progress = {},
                 const std::function<Observer(const State&)>& observer = {});
 

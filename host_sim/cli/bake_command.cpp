@@ -20,12 +20,6 @@
 namespace fixrad::host {
 namespace {
 
-std::string hex(std::uint64_t value) {
-  std::ostringstream text;
-  text << std::hex << std::setw(16) << std::setfill('0') << value;
-  return text.str();
-}
-
 nlohmann::ordered_json measured(const LoadedScene& scene, const CommonOptions& options,
                                 const BakeResult& result) {
   nlohmann::ordered_json ledger = {{"unit_watts", result.device.unit_watts}};
@@ -131,6 +125,13 @@ bool is_to_gather(const CommonOptions& options) {
 }  // namespace
 
 int run_bake(const CommonOptions& options) {
+  const StateOptions& state = options.bake.state;
+  if (options.bake.solver == "gathering" && (!state.save.empty() || !state.resume.empty() || state.shots)) {
+    throw InputError(
+        "fixrad: error: only shooting can be saved, resumed and ended after some shots; leave out "
+        "--solver gathering");
+  }
+  check_folder(state.save);
   for (const std::string& output : options.outputs) {
     check_folder(output);
   }
@@ -153,8 +154,13 @@ int run_bake(const CommonOptions& options) {
     say(options, line);
   }
   say(options, summary(result));
+  if (!state.save.empty()) {
+    say(options, "saved " + state.save);
+  }
   if (result.interrupted && !options.keep_partial) {
-    say(options, "interrupted: nothing written; --keep-partial keeps the solution so far");
+    say(options, state.save.empty()
+                     ? "interrupted: nothing written; --keep-partial keeps the solution so far"
+                     : "interrupted: nothing else written; --resume " + state.save + " goes on from here");
     return kInterrupted;
   }
   const BakedMesh mesh = make_baked_mesh(*scene, result);

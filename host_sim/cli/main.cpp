@@ -40,6 +40,7 @@ int run(int argc, char** argv) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add_picture_options(*bake, options.picture);
+  add_state_options(*bake, options);
   bake->add_option("--faces-csv", options.faces_csv, "Mean radiosity of every input face, in file order");
   bake->add_flag("--keep-partial", options.keep_partial, "When interrupted, write the solution so far");
 
@@ -73,6 +74,11 @@ int run(int argc, char** argv) {
   truth->add_option("--paths", options.paths, "Paths in all")
       ->check(CLI::Range(1000u, 1000000000u))
       ->capture_default_str();
+
+  CLI::App* state = app.add_subcommand("state", "What a saved state of a solution holds");
+  state->add_option("FILE", options.state, "File that `bake --save` or a device has written")->required();
+  state->add_option("--json", options.json, "Write it to this file too");
+  add_quiet(*state, options);
 
   CLI::App* info = app.add_subcommand("info", "What a scene needs and what it costs on each profile");
   add_scene_options(*info, options);
@@ -117,6 +123,9 @@ int run(int argc, char** argv) {
   }
   if (truth->parsed()) {
     return run_truth(options);
+  }
+  if (state->parsed()) {
+    return run_state(options);
   }
   if (sweep->parsed()) {
     return run_sweep(options, choices);

@@ -134,6 +134,19 @@ void add_display_options(CLI::App& command, CommonOptions& options) {
   add_display_edge(command, options);
 }
 
+void add_state_options(CLI::App& command, CommonOptions& options) {
+  StateOptions& state = options.bake.state;
+  command.add_option("--resume", state.resume,
+                     "Go on from this saved state of the same scene and settings, of a device too");
+  CLI::Option* save = command.add_option(
+      "--save", state.save, "Save the state of the solution to this file at the end, interrupted or not");
+  command.add_option("--save-every", state.save_every, "Save after so many shots, too")
+      ->needs(save)
+      ->check(CLI::Range(1u, 1000000000u));
+  command.add_option("--shots", state.shots, "End after so many shots, those before --resume included")
+      ->check(CLI::Range(0u, 1000000000u));
+}
+
 void add_point_options(CLI::App& command, CommonOptions& options) {
   CLI::Option* points = command
                             .add_option("--points", options.points,

@@ -20,6 +20,7 @@ enum ExitCode { kDone = 0, kBadInput = 1, kUsage = 2, kInterrupted = 130 };
 /// What every subcommand takes.
 struct CommonOptions {
   std::string scene;
+  std::string state;  ///< file of a saved state
   ReadOptions read;
   BakeOptions bake;
   Display display;
@@ -46,6 +47,9 @@ void add_scene_options(CLI::App& command, CommonOptions& options);
 /// Adds the options that choose a solution.
 void add_solver_options(CLI::App& command, CommonOptions& options);
 
+/// Adds the options on saved states.
+void add_state_options(CLI::App& command, CommonOptions& options);
+
 /// Adds the options that choose how vertex colours are made.
 void add_display_options(CLI::App& command, CommonOptions& options);
 
@@ -60,6 +64,7 @@ int run_bake(const CommonOptions& options);
 int run_compare(const CommonOptions& options);
 int run_export(const CommonOptions& options);
 int run_form_factors(const CommonOptions& options);
+int run_state(const CommonOptions& options);
 int run_truth(const CommonOptions& options);
 
 }  // namespace fixrad::host

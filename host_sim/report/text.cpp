@@ -33,6 +33,14 @@ void append_number(std::string& text, std::int64_t value) {
   append_chars(text, value);
 }
 
+std::string hex(std::uint64_t value) {
+  std::string digits(16, '0');
+  for (std::size_t i = digits.size(); i-- > 0; value >>= 4) {
+    digits[i] = "0123456789abcdef"[value & 15u];
+  }
+  return digits;
+}
+
 void append_float_literal(std::string& text, float value) {
   const std::size_t start = text.size();
   append_chars(text, value);

@@ -15,6 +15,9 @@ void append_number(std::string& text, double value);
 void append_number(std::string& text, float value);
 void append_number(std::string& text, std::int64_t value);
 
+/// `value` as 16 hexadecimal digits.
+std::string hex(std::uint64_t value);
+
 /// Appends `value` as a C++ literal of type float, `0.5f` or `1e-20f`; value finite.
 void append_float_literal(std::string& text, float value);
 

@@ -19,13 +19,6 @@ uint16_t half_of(const int32_t* account, uint16_t e) {
   return static_cast<uint16_t>(e % 2u != 0 ? pair >> 16 : pair);
 }
 
-void set_sent(State& state, uint16_t e, int c, uint16_t sent) {
-  int32_t& word = account_of(state, c)[e / 2u];
-  const uint32_t pair = static_cast<uint32_t>(word);
-  word = static_cast<int32_t>(e % 2u != 0 ? (pair & 0xffffu) | static_cast<uint32_t>(sent) << 16
-                                          : (pair & 0xffff0000u) | sent);
-}
-
 int32_t unsent(Flux reflected, const int32_t* account, uint16_t e) {
   return reflected.raw - static_cast<int32_t>(long_flux(half_of(account, e)));
 }
@@ -82,6 +75,21 @@ uint16_t sent_after(const State& state, uint16_t e, int c) {
 }
 
 }  // namespace
+
+void set_sent(State& state, uint16_t e, int c, uint16_t sent) {
+  int32_t& word = account_of(state, c)[e / 2u];
+  const uint32_t pair = static_cast<uint32_t>(word);
+  word = static_cast<int32_t>(e % 2u != 0 ? (pair & 0xffffu) | static_cast<uint32_t>(sent) << 16
+                                          : (pair & 0xffff0000u) | sent);
+}
+
+Flux face_unshot(const State& state, uint16_t face, int c) {
+  return Flux::from_raw(account_of(state, c)[face]);
+}
+
+void set_face_unshot(State& state, uint16_t face, int c, Flux unshot) {
+  account_of(state, c)[face] = unshot.raw;
+}
 
 uint32_t sent_flux(const State& state, uint16_t e, int c) {
   return long_flux(half_of(account_of(state, c), e));

@@ -19,6 +19,13 @@ constexpr uint32_t account_words(uint32_t elements, uint32_t faces) {
 /// What element `e` has sent on of what it has received. Needs sweep.kind != face.
 uint32_t sent_flux(const State& state, uint16_t e, int c);
 
+/// The same as it is kept, a short flux. Needs sweep.kind != face.
+void set_sent(State& state, uint16_t e, int c, uint16_t sent);
+
+/// Unshot flux of face `face`. Needs sweep.kind == face.
+Flux face_unshot(const State& state, uint16_t face, int c);
+void set_face_unshot(State& state, uint16_t face, int c, Flux unshot);
+
 /// Unshot flux of a source of the kind that shoots now, one a channel; returns flux_meant() of the
 /// magnitudes.
 uint64_t unshot_of(const State& state, const EyeSource& source, Flux* unshot);

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: MIT
 # The files of this folder that run on the host and on every target; read by both builds. Grouped so that a group and
 # the core make one program of a small chip.
-set(FIXRAD_DEVICE_GROUPS numbers tables boxes scenes)
+set(FIXRAD_DEVICE_GROUPS numbers tables boxes scenes saves)
 set(numbers_TESTS arithmetic_test.cpp q_test.cpp platform_test.cpp digest_test.cpp)
 set(tables_TESTS row_test.cpp delta_table_test.cpp view_test.cpp)
 set(tables_HELPERS box_scene.cpp)
 set(boxes_TESTS ledger_test.cpp furnace_test.cpp load_test.cpp)
 set(boxes_HELPERS box_scene.cpp)
 set(scenes_TESTS scene_test.cpp)
+set(saves_TESTS save_test.cpp)
 
 set(FIXRAD_DEVICE_TESTS "")
 set(FIXRAD_DEVICE_TEST_COUNT 0)

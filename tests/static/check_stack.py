@@ -39,6 +39,10 @@ INDIRECT = (
     ("gather_irradiance", ROWS),
     *((name, ()) for name in ("begin_row", "begin_source", "begin_if_strong", "begin_emission", "begin_reflection",
                               "begin_shot", "report_shot", "book_shot")),
+    # An engine is identified by what it does; where a saved state goes to and comes from is the firmware's.
+    ("mix_view", ENGINES + NEAR_FIELD),
+    ("put", ()),
+    ("get", ()),
     # Start-up code calls the static constructors, then main().
     ("reset_handler", ("_GLOBAL__sub_I_*",)),
     ("start", ("_GLOBAL__sub_I_*",)),
