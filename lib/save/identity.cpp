@@ -2,6 +2,7 @@
 #include "lib/save/identity.h"
 
 #include "lib/fixed/fnv1a.h"
+#include "lib/transport/shooting.h"
 
 namespace fixrad {
 namespace {

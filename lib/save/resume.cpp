@@ -3,6 +3,7 @@
 
 #include "lib/fixed/short_flux.h"
 #include "lib/save/checksum.h"
+#include "lib/transport/shooting.h"
 #include "lib/transport/unshot.h"
 
 namespace fixrad {
