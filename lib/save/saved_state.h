@@ -66,10 +66,14 @@ struct SavedHeader {
   uint32_t gaps_closed;           ///< as in Workspace
   uint16_t spans_used;            ///< Workspace::span_high_water
   uint16_t next_emitter, cursor;  ///< as in State and Sweep
-  uint8_t turn, has_shot;
+  uint8_t turn;
+  uint8_t flags;  ///< kHasShot; the other bits are 0
   uint64_t threshold;
   SavedChannel channel[kMaxChannels];  ///< [channels] are saved
 };
+
+/// SavedHeader::flags: Sweep::has_shot.
+constexpr uint8_t kHasShot = 1;
 
 constexpr uint32_t kHeaderBytes = 68, kChannelBytes = 32, kChecksumBytes = 4;
 
@@ -104,7 +108,7 @@ void header_fields(Io& io, Header& h) {
   io.field(h.next_emitter);
   io.field(h.cursor);
   io.field(h.turn);
-  io.field(h.has_shot);
+  io.field(h.flags);
   io.field(h.threshold);
   for (uint8_t c = 0; c < h.channels && c < kMaxChannels; ++c) {
     io.field(h.channel[c].ambient);
