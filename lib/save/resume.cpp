@@ -94,17 +94,18 @@ bool faces_shoot(const SavedHeader& header) {
   return header.kind == static_cast<uint8_t>(SourceKind::face);
 }
 
-// The elements of a face shoot together, so the cursor is at a first one.
+// The elements of a face shoot together, so the cursor is at a first one. There are no more patches than
+// elements: element_count is behind the last source of any kind.
 bool is_at_a_source(const State& state, const SavedHeader& h) {
   const Scene& scene = state.scene;
-  if ((h.pass & 2u) != 0) {
-    return h.cursor == scene.element_count;  // behind the last source of any kind
+  if (h.cursor == 0 || h.cursor == scene.element_count) {
+    return true;
   }
   if (h.kind == static_cast<uint8_t>(SourceKind::patch)) {
     return h.cursor <= scene.patch_count;
   }
-  if (!faces_shoot(h) || h.cursor == 0 || h.cursor >= scene.element_count) {
-    return h.cursor <= scene.element_count;
+  if (!faces_shoot(h) || h.cursor > scene.element_count) {
+    return h.cursor < scene.element_count;
   }
   return flash_at(scene.elements, h.cursor).face != flash_at(scene.elements, h.cursor - 1u).face;
 }
@@ -112,7 +113,7 @@ bool is_at_a_source(const State& state, const SavedHeader& h) {
 // Passes begin once all emission is sent.
 bool is_before_passes(const State& state, const SavedHeader& h) {
   return h.kind == static_cast<uint8_t>(SourceKind::element) && h.cursor == state.scene.element_count &&
-         h.pass == 1 && h.threshold == 0;
+         h.flags == kHasShot && h.threshold == 0;
 }
 
 // A threshold is at most the magnitudes of three channels, or 4 rows' worth.
@@ -121,7 +122,8 @@ constexpr uint64_t kMostThreshold = static_cast<uint64_t>(1) << 37;
 bool is_possible_sweep(const State& state, const SavedHeader& h) {
   return h.next_emitter <= state.scene.element_count &&
          (h.next_emitter == state.scene.element_count || is_before_passes(state, h)) &&
-         is_at_a_source(state, h) && h.pass <= 3 && h.turn < kTurns && h.threshold <= kMostThreshold;
+         is_at_a_source(state, h) && h.flags <= (kHasShot | kGrows) && h.turn < kTurns &&
+         h.threshold <= kMostThreshold;
 }
 
 // With overshooting, light that was lent and is taken back may leave where less has left before.
@@ -253,8 +255,8 @@ void take_header(State& state, const SavedHeader& h) {
   state.next_emitter = h.next_emitter;
   state.sweep.kind = static_cast<SourceKind>(h.kind);
   state.sweep.cursor = h.cursor;
-  state.sweep.has_shot = (h.pass & 1u) != 0;
-  state.sweep.grows = (h.pass & 2u) != 0;
+  state.sweep.has_shot = (h.flags & kHasShot) != 0;
+  state.sweep.grows = (h.flags & kGrows) != 0;
   state.sweep.threshold = h.threshold;
   for (int c = 0; c < state.scene.channels; ++c) {
     state.sweep.ambient[c] = Radiosity::from_raw(h.channel[c].ambient);

@@ -64,7 +64,7 @@ SavedHeader saved_header(const State& state, const Identity& identity, uint32_t 
   h.next_emitter = state.next_emitter;
   h.cursor = state.sweep.cursor;
   h.turn = state.turn;
-  h.pass = static_cast<uint8_t>((state.sweep.has_shot ? 1 : 0) | (state.sweep.grows ? 2 : 0));
+  h.flags = static_cast<uint8_t>((state.sweep.has_shot ? kHasShot : 0) | (state.sweep.grows ? kGrows : 0));
   h.threshold = state.sweep.threshold;
   for (int c = 0; c < scene.channels; ++c) {
     h.channel[c] = saved_channel(state, c);

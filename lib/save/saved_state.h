@@ -67,10 +67,13 @@ struct SavedHeader {
   uint16_t spans_used;            ///< Workspace::span_high_water
   uint16_t next_emitter, cursor;  ///< as in State and Sweep
   uint8_t turn;
-  uint8_t pass;  ///< bit 0: Sweep::has_shot, bit 1: Sweep::grows
+  uint8_t flags;  ///< kHasShot, kGrows; the other bits are 0
   uint64_t threshold;
   SavedChannel channel[kMaxChannels];  ///< [channels] are saved
 };
+
+/// SavedHeader::flags: Sweep::has_shot, Sweep::grows.
+constexpr uint8_t kHasShot = 1, kGrows = 2;
 
 constexpr uint32_t kHeaderBytes = 68, kChannelBytes = 32, kChecksumBytes = 4;
 
@@ -105,7 +108,7 @@ void header_fields(Io& io, Header& h) {
   io.field(h.next_emitter);
   io.field(h.cursor);
   io.field(h.turn);
-  io.field(h.pass);
+  io.field(h.flags);
   io.field(h.threshold);
   for (uint8_t c = 0; c < h.channels && c < kMaxChannels; ++c) {
     io.field(h.channel[c].ambient);

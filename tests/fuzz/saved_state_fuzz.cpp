@@ -25,7 +25,14 @@ namespace {
 
 using namespace fixrad;
 
-enum Mode : unsigned { kSealed = 1, kIdentified = 2, kSummed = 4, kOvershooting = 8, kCornell = 16 };
+enum Mode : unsigned {
+  kSealed = 1,
+  kIdentified = 2,
+  kSummed = 4,
+  kOvershooting = 8,
+  kCornell = 16,
+  kConfined = 32
+};
 
 constexpr int kShots = 6;
 
@@ -100,6 +107,47 @@ void identify_bytes(const State& state, const Bytes& start, Bytes& bytes) {
   bytes[11] = static_cast<std::uint8_t>(kind);
 }
 
+// What of the emitted flux of channel `c` the emitters from `next` on have still to send.
+std::int64_t pending(const State& state, int c, std::uint64_t next) {
+  std::int64_t sum = 0;
+  for (std::uint64_t e = next; e < state.scene.element_count; ++e) {
+    const Element& element = state.scene.elements[e];
+    sum += emitted_flux(state.scene, state.scene.materials[element.material], element.area, c).raw;
+  }
+  return sum;
+}
+
+// Cuts what channel `c` of `bytes` holds until no part of its ledger is negative: elements and faces share
+// what lamps have sent, none has sent more than it reflects, nothing has escaped.
+void confine_channel(const State& state, int c, Bytes& bytes) {
+  const Scene& scene = state.scene;
+  const std::size_t channels = scene.channels, channel = static_cast<std::size_t>(c);
+  const bool has_faces = bytes[11] == 2;
+  const std::size_t step = has_faces ? 4 : 6, body = 68 + 32 * channels;
+  const auto sent_in_all =
+      static_cast<std::uint64_t>(state.emitted[c] - pending(state, c, number(bytes, 54, 2)));
+  const std::uint64_t most = sent_in_all / (2u * scene.element_count) + 1;
+  for (std::size_t e = 0; e < scene.element_count; ++e) {
+    const std::size_t at = body + step * (e * channels + channel);
+    const std::uint64_t received = sent_in_all == 0 ? 0 : number(bytes, at, 4) % most;
+    put(bytes, at, 4, received);
+    const Material& material = scene.materials[scene.elements[e].material];
+    const std::int32_t reflected = reflect(Reflectance::from_raw(material.reflectance[c]),
+                                           Flux::from_raw(static_cast<std::int32_t>(received)))
+                                       .raw;
+    if (!has_faces) {
+      const std::uint32_t sent = long_flux(static_cast<std::uint16_t>(number(bytes, at + 4, 2) % 0xa800u));
+      put(bytes, at + 4, 2, short_flux(sent % (static_cast<std::uint32_t>(reflected) + 1)));
+    }
+  }
+  for (std::size_t f = 0; has_faces && f < scene.face_count; ++f) {
+    const std::size_t at = body + 4 * channels * scene.element_count + 4 * (f * channels + channel);
+    put(bytes, at, 4, number(bytes, at, 4) % (sent_in_all / (2u * scene.face_count) + 1));
+  }
+  put(bytes, 68 + 32 * channel, 4, 0);
+  put(bytes, 68 + 32 * channel + 8, 4, 0);
+}
+
 // What channel `c` has emitted, absorbed and not yet shot as the elements and faces in `bytes` say; what is
 // missing from the ledger has met backs.
 void sum_channel(const State& state, int c, Bytes& bytes) {
@@ -163,6 +211,9 @@ void offer(Loaded<Solver>& loaded, unsigned mode, Bytes bytes) {
     identify_bytes(state, loaded.start, bytes);
   }
   for (int c = 0; c < state.scene.channels && (mode & kSummed) != 0 && (mode & kIdentified) != 0; ++c) {
+    if ((mode & kConfined) != 0) {
+      confine_channel(state, c, bytes);
+    }
     sum_channel(state, c, bytes);
   }
   if ((mode & kSealed) != 0) {

@@ -29,7 +29,7 @@ enum Offset : std::size_t {
   kNextEmitter = 54,
   kCursor = 56,
   kTurn = 58,
-  kHasShot = 59,
+  kFlags = 59,
   kThreshold = 60,
   kFirstChannel = 68,
   kAmbient = kFirstChannel,
@@ -269,7 +269,9 @@ TEST(Refused, NumbersOutOfRangeUnderARightChecksum) {
     expect_inconsistent(pair, kCursor, 2, 0xffff);
     expect_inconsistent(pair, kCursor, 2, scene.element_count + 1u);
     expect_inconsistent(pair, kTurn, 1, kTurns);
-    expect_inconsistent(pair, kHasShot, 1, 2);
+    for (const std::uint64_t flags : {2, 3, 0x80}) {
+      expect_inconsistent(pair, kFlags, 1, flags);
+    };
     expect_inconsistent(pair, kThreshold, 8, ~std::uint64_t{0});
     expect_inconsistent(pair, kAmbient, 4, 1);
     expect_inconsistent(pair, kEmitted, 4, 0);
@@ -357,7 +359,7 @@ TEST(Refused, APassBeforeTheLampsHaveShot) {
   ASSERT_LT(pair.saver->state().next_emitter, pair.saver->state().scene.element_count);
   expect_inconsistent(pair, kKind, 1, 1);
   expect_inconsistent(pair, kCursor, 2, 0);
-  expect_inconsistent(pair, kHasShot, 1, 0);
+  expect_inconsistent(pair, kFlags, 1, 0);
   expect_inconsistent(pair, kThreshold, 8, 1);
 }
 
