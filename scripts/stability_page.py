@@ -15,8 +15,14 @@ double precision, *float* the [peer](../firmware/float_peer/solver.h), the same 
 the core to every bound; the others are shown beside it.
 
     build/host/tests/stability/measure_stability [CASE...]     the catalogue as JSON
-    build/host/tests/stability/stability_test                  its bounds, and some thousand random scenes
+    build/host/tests/stability/stability_test                  its bounds, and three thousand random scenes
     build/host/tests/stability/check_scenes --count 100000     more of them
+
+The second of them also under AddressSanitizer and UndefinedBehaviorSanitizer, which end it at the first overflow of a signed
+number, shift too far or access beyond an array:
+
+    cmake --preset host-sanitize && cmake --build --preset host-sanitize --target stability_test
+    build/host-sanitize/tests/stability/stability_test
 
 """
 

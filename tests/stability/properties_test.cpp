@@ -15,9 +15,9 @@
 namespace fixrad::host {
 namespace {
 
-// So many scenes of each property take about a second.
+// So many scenes of each property take some seconds.
 std::uint64_t scenes_of(const std::string& name) {
-  static const std::map<std::string, std::uint64_t> counts = {{"KeepsItsBooks", 1000},
+  static const std::map<std::string, std::uint64_t> counts = {{"KeepsItsBooks", 2000},
                                                               {"ExchangeIsReciprocal", 30}};
   const auto found = counts.find(name);
   return found != counts.end() ? found->second : 150;
