@@ -109,13 +109,17 @@ void end_choice(State& state) {
   }
 }
 
+unsigned places_of(const Sampling& sampling) {
+  const unsigned level = sampling.level;
+  return level * level;
+}
+
 Status choose_eyes(State& state) {
   Sampling& sampling = state.sampling;
   const uint16_t element = sampling.parts.element;
   const bool all_clear = sight_of(state.scene, element) == Sight::all_clear;
   const uint16_t face = flash_at(state.scene.elements, element).face;
-  const unsigned count = static_cast<unsigned>(sampling.level) * sampling.level;
-  for (; sampling.index < count; ++sampling.index) {
+  for (; sampling.index < places_of(sampling); ++sampling.index) {
     const EyeCandidate candidate = eye_candidate(state.scene, element, sampling.level, sampling.index);
     bool is_clear = candidate.is_used;
     const Status status =
@@ -144,8 +148,8 @@ Status look_from_chosen(State& state) {
   const uint32_t count = count_bits(sampling.parts.chosen);
   const uint16_t element = sampling.parts.element;
   const uint16_t face = flash_at(state.scene.elements, element).face;
-  for (; sampling.index < static_cast<unsigned>(sampling.level) * sampling.level; ++sampling.index) {
-    if ((sampling.parts.chosen >> sampling.index & 1u) == 0) {
+  for (; sampling.index < places_of(sampling); ++sampling.index) {
+    if ((static_cast<unsigned>(sampling.parts.chosen) >> sampling.index & 1u) == 0) {
       continue;
     }
     const uint32_t begin = kRowOne * sampling.eyes / count, end = kRowOne * (sampling.eyes + 1u) / count;

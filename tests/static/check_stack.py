@@ -24,7 +24,7 @@ from call_graph import INDIRECT_CALL, Function, Refused, demangled, read_ci
 # Functions that work pair by pair keep polygons on the stack, 2.6 KB in all: chips of 16 KB and less have none for
 # them, and the programs of the project do not name them.
 NEAR_FIELD = ("correct_near_field",)
-PAIRS = ("ray_row", "contour_row", "add_pairs") + NEAR_FIELD
+PAIRS = ("ray_row", "contour_row", "add_faces", "add_face_elements", "add_pairs") + NEAR_FIELD
 # A picture has highlights only where its scene names the function for them; an ATmega2560's does not.
 HIGHLIGHTS = ("add_highlights",)
 ENGINES = ("hemicube_rows", "lune_rows", "hemicube_pixels", "ray_row", "contour_row")
