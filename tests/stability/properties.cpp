@@ -11,9 +11,11 @@ const std::vector<Property>& properties() {
        "Exact: the ledger balances after every shot; unshot flux never grows without overshooting; shooting "
        "ends; in a closed room nothing escapes or meets a back.",
        keep_books},
-      // Where shooting can stop in the middle of a shot and go on later, it is to be cut into slices here.
-      {"SlicesChangeNothing", "Exact: reading a solution between two shots leaves its bits alone.",
-       read_on_the_way},
+      {"SlicesChangeNothing",
+       "Exact: nothing of a shot is booked before it is complete, so slices, a shot that is given up and "
+       "begun "
+       "anew, and a solver that goes on from what was saved in the middle of one, give the same bits.",
+       solve_in_slices},
       {"EmissionScalesLight",
        "With one matrix of form factors light is linear in emission, to within what is unshot and a unit an "
        "element and shot, each over 1 - the largest reflectance.",

@@ -14,7 +14,7 @@ namespace fixrad::host {
 
 // How it is solved.
 std::string keep_books(const RandomScene& scene);
-std::string read_on_the_way(const RandomScene& scene);
+std::string solve_in_slices(const RandomScene& scene);
 
 // How solutions of related scenes are related.
 std::string scale_light(const RandomScene& scene);
