@@ -285,7 +285,7 @@ TEST(Slices, MayBeInterruptedByAGather) {
     if (calls % 61 == 0) {
       Irradiance irradiance = {};
       const EyePoint eye = element_eye(state.scene, calls % state.scene.element_count);
-      ASSERT_EQ(gather_irradiance(state, kLunes[0], eye, true, no_ambient, irradiance), Status::ok);
+      ASSERT_EQ(gather_irradiance(state, kLunes[0], nullptr, eye, true, no_ambient, irradiance), Status::ok);
     }
   }
   EXPECT_EQ(gathered.digest(), whole.digest());
