@@ -9,6 +9,9 @@ function(fixrad_compile_options target)
     target_compile_options(${target} PUBLIC -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=address,undefined)
   endif()
+  if(FIXRAD_FUZZ)
+    target_compile_options(${target} PUBLIC -fsanitize=fuzzer-no-link)
+  endif()
 endfunction()
 
 # fixrad_test(NAME SOURCES files... LINK targets...): one GoogleTest executable, one ctest entry per TEST.

@@ -10,7 +10,8 @@ namespace fixrad::host {
 namespace {
 
 constexpr double kDefaultReflectance = 0.5;
-constexpr double kMaxEmission = 1e30;  // its square and its sum over a scene stay finite
+constexpr double kMaxEmission = 1e30;   // its square and its sum over a scene stay finite
+constexpr double kMinEmission = 1e-30;  // where there is any: its inverse and the square of that stay finite
 constexpr std::size_t kMaxNamesListed = 8;
 constexpr double kMaxExponent = 1000.0;  // of the MTL specification
 
@@ -170,6 +171,10 @@ glm::dvec3 MaterialTable::check_emission(const MtlMaterial& definition) {
     }
     if (value < 0.0) {
       definition.source->fail(token, describe(definition, "Ke", token) + ", below 0; give 0 or more");
+    }
+    if (value > 0.0 && value < kMinEmission) {
+      definition.source->fail(token,
+                              describe(definition, "Ke", token) + ", below 1e-30; give 0 or more light");
     }
     if (value > kMaxEmission) {
       definition.source->fail(token, describe(definition, "Ke", token) + ", above 1e30; use a larger unit");

@@ -254,18 +254,23 @@ PreparedScene prepare(const Model& model) {
   scene.faces = std::move(convex.faces);
   scene.warnings = std::move(convex.warnings);
   std::size_t corners = 0;
-  bool grey = true;
+  bool grey = true, has_lamp = false;
   for (const ConvexFace& face : scene.faces) {
     scene.frames.push_back(make_frame(scene.vertices, face));
     corners += face.corners.size();
     const Material& material = model.materials[face.material];
     grey = grey && is_grey(material.reflectance) && is_grey(material.emission);
+    has_lamp = has_lamp || material.emission != glm::dvec3(0.0);
   }
   scene.channels = grey ? 1 : 3;
   if (scene.faces.empty()) {
     throw InputError(
         model.path +
         ": error: no face has an area on the device's grid; check the scene's unit and outliers");
+  }
+  if (!has_lamp) {
+    throw InputError(model.path +
+                     ": error: no face that emits light has an area on the device's grid; enlarge the lamp");
   }
   if (corners > 65535 || scene.vertices.positions.size() > 65535 || model.materials.size() > 65535) {
     throw InputError(model.path + ": error: more than 65535 vertices or corners; simplify the scene");

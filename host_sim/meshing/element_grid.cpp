@@ -71,8 +71,9 @@ void box_axes(const QuantisedVertices& vertices, const ConvexFace& face, FaceFra
     high = glm::max(high, glm::dvec2(glm::dot(d, u), glm::dot(d, v)));
   }
   frame.origin = glm::ivec3(glm::round(base + low.x * u + low.y * v));
-  frame.axis_u = glm::ivec3(glm::round((high.x - low.x) * u));
-  frame.axis_v = glm::ivec3(glm::round((high.y - low.y) * v));
+  // At least a grid unit, so that an axis of a sliver does not round to nothing.
+  frame.axis_u = glm::ivec3(glm::round(std::max(1.0, high.x - low.x) * u));
+  frame.axis_v = glm::ivec3(glm::round(std::max(1.0, high.y - low.y) * v));
 }
 
 Polygon2d strip(const Polygon2d& outline, double u0, double u1, double v0, double v1) {

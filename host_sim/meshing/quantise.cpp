@@ -17,6 +17,8 @@ namespace {
 constexpr int kMargin =
     8;  // grid units; eyes are lifted by half a unit, or a few where a face is not quite planar
 
+constexpr double kLeastExtent = 1e-30;  // keeps the square of the scale finite
+
 }  // namespace
 
 QuantisedVertices quantise(const Model& model) {
@@ -30,7 +32,7 @@ QuantisedVertices quantise(const Model& model) {
   }
   const glm::dvec3 size = high - low;
   const double extent = std::max({size.x, size.y, size.z});
-  if (model.faces.empty() || !(extent > 0) || !std::isfinite(extent)) {
+  if (model.faces.empty() || !(extent >= kLeastExtent) || !std::isfinite(extent)) {
     throw InputError(model.path +
                      ": error: the scene has no extent that can be represented; check its coordinates");
   }

@@ -60,8 +60,11 @@ uint32_t triangle_measure(const Polygon& polygon, int k, int shift) {
 }
 
 bool closes(const Polygon& p) {
+  if (p.count != 4) {
+    return false;
+  }
   const Vec3 a = p.corner[1] - p.corner[0], b = p.corner[2] - p.corner[3];
-  return p.count == 4 && max_magnitude(a - b) <= 2 * static_cast<uint32_t>(kFineScale);
+  return max_magnitude(a - b) <= 2 * static_cast<uint32_t>(kFineScale);
 }
 
 }  // namespace
@@ -91,6 +94,9 @@ Vec3 AreaPoints::at(uint16_t s, uint16_t t) const {
     return affine_point(corner[0], corner[1], corner[3], s, t);
   }
   const int last = polygon_.count - 3;
+  if (last < 0) {
+    return polygon_.count > 0 ? corner[0] : Vec3{0, 0, 0};
+  }
   const uint32_t wanted = static_cast<uint32_t>(wide_product(part_[last], s) >> 16);
   int k = 0;
   while (k < last && part_[k] <= wanted) {
