@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_sim/io/limits.h"
 #include "host_sim/io/parse_number.h"
 
 namespace fixrad::host {
 namespace {
 
 constexpr double kDefaultReflectance = 0.5;
-constexpr double kMaxEmission = 1e30;   // its square and its sum over a scene stay finite
-constexpr double kMinEmission = 1e-30;  // where there is any: its inverse and the square of that stay finite
 constexpr std::size_t kMaxNamesListed = 8;
 constexpr double kMaxExponent = 1000.0;  // of the MTL specification
 

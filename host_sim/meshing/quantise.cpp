@@ -17,7 +17,8 @@ namespace {
 constexpr int kMargin =
     8;  // grid units; eyes are lifted by half a unit, or a few where a face is not quite planar
 
-constexpr double kLeastExtent = 1e-30;  // keeps the square of the scale finite
+constexpr std::size_t kMostVertices = 65535;  // the core numbers them in 16 bits
+constexpr double kLeastExtent = 1e-30;        // keeps the square of the scale finite
 
 }  // namespace
 
@@ -54,6 +55,10 @@ QuantisedVertices quantise(const Model& model) {
           known.try_emplace({p.x, p.y, p.z}, static_cast<std::uint32_t>(result.positions.size()));
       if (is_new) {
         result.positions.push_back(p);
+      }
+      if (result.positions.size() > kMostVertices) {
+        throw InputError(model.path + ":" + std::to_string(face.line) +
+                         ": error: this face brings the vertices to more than 65535; simplify the scene");
       }
       result.index_of[v] = it->second;
       result.largest_error =
