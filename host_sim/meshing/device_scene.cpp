@@ -39,6 +39,13 @@ glm::dvec3 lifted(glm::dvec3 point, const FaceFrame& frame, glm::dvec3 corner) {
   return glm::clamp(q, 0.0, 65535.0);
 }
 
+template <class Faces>
+bool has_lamp(const Model& model, const Faces& faces) {
+  return std::any_of(faces.begin(), faces.end(), [&](const auto& face) {
+    return model.materials[face.material].emission != glm::dvec3(0.0);
+  });
+}
+
 class Builder {
  public:
   Builder(const PreparedScene& scene, const Meshing& meshing) : scene_(scene), meshing_(meshing) {}
@@ -254,13 +261,12 @@ PreparedScene prepare(const Model& model) {
   scene.faces = std::move(convex.faces);
   scene.warnings = std::move(convex.warnings);
   std::size_t corners = 0;
-  bool grey = true, has_lamp = false;
+  bool grey = true;
   for (const ConvexFace& face : scene.faces) {
     scene.frames.push_back(make_frame(scene.vertices, face));
     corners += face.corners.size();
     const Material& material = model.materials[face.material];
     grey = grey && is_grey(material.reflectance) && is_grey(material.emission);
-    has_lamp = has_lamp || material.emission != glm::dvec3(0.0);
   }
   scene.channels = grey ? 1 : 3;
   if (scene.faces.empty()) {
@@ -268,7 +274,7 @@ PreparedScene prepare(const Model& model) {
         model.path +
         ": error: no face has an area on the device's grid; check the scene's unit and outliers");
   }
-  if (!has_lamp) {
+  if (has_lamp(model, model.faces) && !has_lamp(model, scene.faces)) {
     throw InputError(model.path +
                      ": error: no face that emits light has an area on the device's grid; enlarge the lamp");
   }

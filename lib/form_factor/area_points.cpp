@@ -24,7 +24,7 @@ uint16_t sobol(int i, unsigned dimension) {
 }
 
 // Every bit of the result depends on every bit of `a` (Wellons 2018, "Prospecting for hash functions").
-uint32_t mixed(uint32_t a) {
+FIXRAD_MODULO uint32_t mixed(uint32_t a) {
   a ^= a >> 16;
   a *= 0x7feb352dul;
   a ^= a >> 15;
@@ -69,7 +69,7 @@ bool closes(const Polygon& p) {
 
 }  // namespace
 
-RayCoordinates ray_coordinates(int i, int log2, uint32_t pair) {
+FIXRAD_MODULO RayCoordinates ray_coordinates(int i, int log2, uint32_t pair) {
   const uint32_t first = mixed(pair), second = mixed(first + 0x9e3779b9ul);
   const uint16_t place = static_cast<uint16_t>(static_cast<uint32_t>(i) << (16 - log2));
   return {static_cast<uint16_t>(place ^ (first & 0xffffu)),

@@ -158,7 +158,7 @@ class GroupEyes {
 
   uint32_t total() const { return total_; }
 
-  Status sample(uint32_t eyes, uint32_t rows) {
+  FIXRAD_MODULO Status sample(uint32_t eyes, uint32_t rows) {
     const uint32_t phase = (state_.shots * 40503u) & 0xffffu;  // golden-ratio steps
     const uint32_t step = total_ / eyes;
     uint32_t target = static_cast<uint32_t>(wide_product(step, phase) >> 16);

@@ -4,7 +4,7 @@
 namespace fixrad {
 namespace {
 
-uint64_t mix(uint64_t hash, uint32_t word) {
+FIXRAD_MODULO uint64_t mix(uint64_t hash, uint32_t word) {
   for (int i = 0; i < 4; ++i) {
     hash = (hash ^ ((word >> (8 * i)) & 0xffu)) * 1099511628211u;
   }
