@@ -45,7 +45,7 @@ FIXRAD_MODULO inline Flux reflect_more(Reflectance reflectance, Flux received, F
 /// a / 2^shift towards minus infinity. C++17 leaves >> of a negative number to the compiler; every compiler
 /// that the project is built with shifts arithmetically, which tests/lib asserts on each target.
 inline int32_t floor_shift(int32_t a, int shift) {
-  return a >> shift;
+  return a >> shift;  // cppcheck-suppress shiftNegativeLHS ; as above
 }
 
 /// a / 2^shift to the nearest integer, shift > 0; needs a < 2^31 - 2^(shift - 1).

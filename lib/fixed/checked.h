@@ -74,7 +74,7 @@ inline uint32_t saturate(T a, Place place, uint32_t most = 0xfffffffful) {
 }  // namespace fixrad
 
 // A function whose unsigned numbers are meant modulo a power of two: hashes, phases, two's complement.
-// clang's check of unsigned overflow (FIXRAD_CHECKED) leaves it out.
+// clang's check of that (FIXRAD_INTEGER_CHECKS) leaves it out.
 #if defined(__clang__)
 #define FIXRAD_MODULO \
   __attribute__((no_sanitize("unsigned-integer-overflow", "unsigned-shift-base", "implicit-conversion")))
