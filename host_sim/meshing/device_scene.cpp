@@ -223,9 +223,13 @@ class Builder {
         units_a_watt = std::min(units_a_watt, 0.99 * std::ldexp(1.0 - reflectance, 30) / emitted);
       }
     }
+    if (!std::isfinite(units_a_watt)) {
+      units_a_watt = 1;  // nothing emits: any unit will do
+    }
     device_.unit_watts = 1 / units_a_watt;
     const double area_unit = 1 / (kAreaScale * device_.grid.scale * device_.grid.scale);
-    const double flux_a_unit = brightest * area_unit * units_a_watt;
+    const double flux_a_unit =
+        std::max(brightest * area_unit * units_a_watt, std::numeric_limits<double>::min());
     device_.emission_shift = std::clamp(31 - std::ilogb(flux_a_unit), 0, 63);
     device_.radiosity_shift = std::clamp(27 - std::ilogb(flux_a_unit), 0, 32);
     device_.unit_radiosity = device_.unit_watts / area_unit / std::ldexp(1.0, device_.radiosity_shift);
