@@ -83,5 +83,8 @@ part "what must not compile (clang)" test_folder host-clang nocompile
 part "build the core and the reader (sanitizers)" build_folders host-sanitize lib tests/lib tests/io
 part "tests of the core (sanitizers)" test_folder host-sanitize lib
 part "tests of the reader (sanitizers)" test_folder host-sanitize io
+part "build the fuzzers" build_folders host-fuzz tests/fuzz
+part "fuzzers, a fixed number of runs" test_folder host-fuzz fuzz
+part "cppcheck" scripts/check_cppcheck.sh
 part "clang-tidy" scripts/check_tidy.sh
 echo "targets that ran all their tests: $passed of $(echo "$targets" | wc -w)"

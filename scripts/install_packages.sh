@@ -17,7 +17,7 @@ arm-none-eabi-g++:gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-e
 riscv64-unknown-elf-g++:gcc-riscv64-unknown-elf
 xtensa-lx106-elf-g++:gcc-xtensa-lx106 qemu-system-riscv32:qemu-system-misc qemu-system-xtensa:qemu-system-misc
 avr-g++:gcc-avr avr-ar:binutils-avr avr-libc clang++:clang libsimavr-dev libelf-dev"
-checks="ca-certificates clang-format:clang-format clang-tidy:clang-tidy git:git python3:python3 node:nodejs npm:npm chromium:chromium"
+checks="ca-certificates clang-format:clang-format clang-tidy:clang-tidy libclang-rt-dev cppcheck:cppcheck git:git python3:python3 node:nodejs npm:npm chromium:chromium"
 
 case "${1:-}" in
   build) wanted=$build ;;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "host_sim/bake/bake.h"
 #include "host_sim/bake/occlusion.h"
@@ -11,8 +12,9 @@ namespace fixrad::host {
 namespace {
 
 constexpr const char* kUniform = "uniform";
-constexpr std::uint32_t kMostElements = 60000;     // the core numbers them in 16 bits
-constexpr std::uint32_t kMostCutElements = kLeaf;  // and those of cut cells in 15
+constexpr std::uint32_t kMostElements = 60000;                      // the core numbers them in 16 bits
+constexpr std::uint32_t kMostCutElements = kLeaf;                   // and those of cut cells in 15
+constexpr std::uint64_t kMostMatrixBytes = std::uint64_t{1} << 31;  // more than any profile has
 constexpr std::uint32_t kPiercing = 8;  // spans beyond twice the faces, for faces that pierce each other
 
 // Elements that a profile's accuracy needs: its own number, and several a face where there are many faces.
@@ -56,24 +58,33 @@ Meshing make_mesh(const PreparedScene& scene, const std::string& kind, std::uint
                             : make_uniform(scene, elements, patches);
 }
 
-BakePlan plan_for(const PreparedScene& scene, const BakeOptions& options, const Profile& profile,
-                  const std::string& mesh, std::uint32_t elements) {
+// Everything but the mesh, for a mesh of `n` elements.
+BakePlan plan_of_size(const PreparedScene& scene, const BakeOptions& options, const Profile& profile,
+                      std::uint32_t n) {
   const auto faces = static_cast<std::uint32_t>(scene.faces.size());
-  const bool is_gathering = options.solver == "gathering";
   BakePlan plan;
   plan.profile = profile;
   plan.resolution = options.resolution.value_or(default_resolution(options.engine, profile));
-  plan.meshing = make_mesh(scene, mesh, elements);
   const auto channels = static_cast<std::uint32_t>(scene.channels);
-  const std::uint32_t n = plan.meshing.element_count;
   plan.sizes = {static_cast<std::uint32_t>(scene.vertices.positions.size()),
                 faces,
                 n,
                 std::min(65535u, 2 * faces + 1 + kPiercing),
                 channels,
                 options.engine == "pixels" ? static_cast<std::uint32_t>(plan.resolution) : 0u};
-  plan.matrix_bytes = is_gathering ? n * n * 2 + n * (2 + 4 * channels) : 0;
+  if (options.solver == "gathering") {
+    const std::uint64_t bytes = std::uint64_t{n} * n * 2 + std::uint64_t{n} * (2 + 4 * channels);
+    plan.matrix_bytes = static_cast<std::uint32_t>(std::min(bytes, kMostMatrixBytes));
+  }
   plan.overshoot = options.overshoot;
+  return plan;
+}
+
+BakePlan plan_for(const PreparedScene& scene, const BakeOptions& options, const Profile& profile,
+                  const std::string& mesh, std::uint32_t elements) {
+  Meshing meshing = make_mesh(scene, mesh, elements);
+  BakePlan plan = plan_of_size(scene, options, profile, meshing.element_count);
+  plan.meshing = std::move(meshing);
   return plan;
 }
 
@@ -82,6 +93,11 @@ std::string does_not_fit(const PreparedScene& scene, const BakePlan& plan) {
          ": with one element on each of its " + std::to_string(plan.sizes.faces) + " faces it needs " +
          std::to_string(plan.ram()) + " bytes of " + std::to_string(plan.profile.ram_bytes) +
          "; use a larger --profile or a simpler scene";
+}
+
+std::string too_many_faces(const PreparedScene& scene) {
+  return scene.model->path + ": error: the scene has more than " + std::to_string(kMostElements) +
+         " faces; simplify it";
 }
 
 int line_of_face(const PreparedScene& scene, std::uint32_t face) {
@@ -110,6 +126,13 @@ BakePlan make_plan(const PreparedScene& scene, const BakeOptions& options) {
   }
   const Profile profile = find_profile(options.profile).value();
   const auto faces = static_cast<std::uint32_t>(scene.faces.size());
+  if (faces > kMostElements) {
+    throw InputError(too_many_faces(scene));
+  }
+  const BakePlan least = plan_of_size(scene, options, profile, faces);
+  if (least.ram() > profile.ram_bytes) {  // before meshes are made to find that out
+    throw InputError(does_not_fit(scene, least));
+  }
   std::uint32_t elements =
       std::min(kMostElements, options.elements.value_or(default_elements(profile, faces)));
   for (;;) {
@@ -118,8 +141,7 @@ BakePlan make_plan(const PreparedScene& scene, const BakeOptions& options) {
       throw InputError(scene.model->path + ": error: more elements than faces are needed; raise --elements");
     }
     if (plan.sizes.elements > kMostElements) {
-      throw InputError(scene.model->path + ": error: the scene has more than " +
-                       std::to_string(kMostElements) + " faces; simplify it");
+      throw InputError(too_many_faces(scene));
     }
     if (plan.ram() <= profile.ram_bytes && options.mesh != kUniform) {
       plan =

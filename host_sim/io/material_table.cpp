@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_sim/io/limits.h"
 #include "host_sim/io/parse_number.h"
 
 namespace fixrad::host {
 namespace {
 
 constexpr double kDefaultReflectance = 0.5;
-constexpr double kMaxEmission = 1e30;  // its square and its sum over a scene stay finite
 constexpr std::size_t kMaxNamesListed = 8;
 constexpr double kMaxExponent = 1000.0;  // of the MTL specification
 
@@ -170,6 +170,10 @@ glm::dvec3 MaterialTable::check_emission(const MtlMaterial& definition) {
     }
     if (value < 0.0) {
       definition.source->fail(token, describe(definition, "Ke", token) + ", below 0; give 0 or more");
+    }
+    if (value > 0.0 && value < kMinEmission) {
+      definition.source->fail(token,
+                              describe(definition, "Ke", token) + ", below 1e-30; give 0 or more light");
     }
     if (value > kMaxEmission) {
       definition.source->fail(token, describe(definition, "Ke", token) + ", above 1e30; use a larger unit");

@@ -7,7 +7,10 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
+
+#include "host_sim/io/limits.h"
 
 namespace fixrad::host {
 namespace {
@@ -22,28 +25,52 @@ class MtlFiles {
   void load(const Statement& statement);
 
  private:
-  bool load_one(std::string name);
+  bool load_one(std::string name, std::string_view token);
   std::size_t load_longest(const std::vector<std::string_view>& words, std::size_t first);
 
   const SourceText& obj_;
   const LoadText& load_mtl_;
   MtlLibrary& library_;
   Warnings& warnings_;
-  std::set<std::string> loaded_;
+  std::set<std::string> names_, loaded_;  // as statements give them; paths
+  std::size_t lookups_ = 0, bytes_ = 0;
 };
 
-bool MtlFiles::load_one(std::string name) {
-  std::replace(name.begin(), name.end(), '\\', '/');
-  const std::string path = (std::filesystem::path(obj_.path()).parent_path() / name).string();
-  if (loaded_.count(path) != 0) {
+// A relative path that stays in its folder, whatever the file system holds.
+bool stays_inside(const std::filesystem::path& name) {
+  const std::filesystem::path normal = name.lexically_normal();
+  const bool has_drive = name.native().size() > 1 && name.native()[1] == ':';
+  return !normal.is_absolute() && !has_drive && (normal.empty() || *normal.begin() != "..");
+}
+
+bool MtlFiles::load_one(std::string name, std::string_view token) {
+  if (names_.count(name) != 0) {
     return true;
   }
-  std::optional<std::string> text = load_mtl_(path);
-  if (!text) {
-    return false;
+  const std::string given = name;
+  std::replace(name.begin(), name.end(), '\\', '/');
+  if (!stays_inside(name)) {
+    obj_.fail(token, "the material file " + quote(given) +
+                         " lies outside the OBJ file's folder; copy it there and correct mtllib");
   }
-  loaded_.insert(path);
-  library_.load(path, std::move(*text), warnings_);
+  const std::string path = (std::filesystem::path(obj_.path()).parent_path() / name).string();
+  if (loaded_.count(path) == 0) {
+    if (++lookups_ > kMaxFileLookups) {
+      obj_.fail(token, "mtllib statements name too many files; write each file once, names without blanks");
+    }
+    std::optional<std::string> text = load_mtl_(path);
+    if (!text) {
+      return false;
+    }
+    bytes_ += text->size();
+    if (loaded_.size() == kMaxMtlFiles || bytes_ > kMaxMtlBytes) {
+      obj_.fail(token, "the scene has more than " + std::to_string(kMaxMtlFiles) + " material files or " +
+                           std::to_string(kMaxMtlBytes >> 20) + " MiB of them; leave out what no face uses");
+    }
+    loaded_.insert(path);
+    library_.load(path, std::move(*text), warnings_);
+  }
+  names_.insert(given);
   return true;
 }
 
@@ -54,7 +81,7 @@ std::size_t MtlFiles::load_longest(const std::vector<std::string_view>& words, s
     for (std::size_t i = 1; i < count; ++i) {
       name.append(" ").append(words[first + i]);
     }
-    if (load_one(name)) {
+    if (load_one(name, words[first])) {
       return count;
     }
   }
@@ -68,7 +95,7 @@ void MtlFiles::load(const Statement& statement) {
     warnings_.say_once("empty mtllib", obj_, statement.keyword, "mtllib names no file and is ignored");
     return;
   }
-  if (load_one(name)) {
+  if (load_one(name, words.empty() ? statement.keyword : words.front())) {
     return;
   }
   std::size_t done = 0;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "host_sim/io/limits.h"
 #include "host_sim/io/parse_number.h"
 
 namespace fixrad::host {
@@ -83,6 +84,10 @@ MtlMaterial* MtlLibrary::open(const SourceText& source, const Statement& stateme
     source.fail(statement.keyword, "newmtl has no name; name the material");
   }
   const auto [entry, is_new] = by_name_.try_emplace(material.name, materials_.size());
+  if (materials_.size() == kMaxMaterials && is_new) {
+    source.fail(statement.keyword, "the MTL files define more than " + std::to_string(kMaxMaterials) +
+                                       " materials; leave out those that no face uses");
+  }
   if (is_new) {
     materials_.push_back(std::move(material));
   } else {

@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
+#include "host_sim/io/limits.h"
 #include "host_sim/io/material_table.h"
 #include "host_sim/io/mtl_files.h"
 #include "host_sim/io/mtl_library.h"
@@ -52,20 +54,32 @@ void orient(Model& model, const ReadOptions& options) {
   }
 }
 
-std::optional<std::string> load_mtl_file(const std::string& path) {
+// Links are followed as far as they lead to a place in the OBJ file's folder.
+bool is_inside(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  std::error_code missing;
+  const std::filesystem::path place = std::filesystem::canonical(file, missing);
+  const std::filesystem::path home = std::filesystem::canonical(folder.empty() ? "." : folder, missing);
+  const auto apart = std::mismatch(home.begin(), home.end(), place.begin(), place.end());
+  return !missing && apart.first == home.end();
+}
+
+std::optional<std::string> load_mtl_file(const std::filesystem::path& folder, const std::string& path) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) {
     return std::nullopt;
   }
-  return read_text_file(path);
+  if (!is_inside(folder, path)) {
+    throw InputError(path + ": error: the material file lies outside the OBJ file's folder; copy it there");
+  }
+  return read_text_file(path, kMaxMtlBytes);
 }
 
 }  // namespace
 
-Model read_obj_text(const std::string& text, const std::string& path, const LoadText& load_mtl,
+Model read_obj_text(std::string text, const std::string& path, const LoadText& load_mtl,
                     const ReadOptions& options) {
   check_options(options);
-  const SourceText source(path, text, "OBJ");
+  const SourceText source(path, std::move(text), "OBJ");
   refuse_empty(source);
   Warnings warnings;
   MtlLibrary library;
@@ -84,7 +98,9 @@ Model read_obj_text(const std::string& text, const std::string& path, const Load
 }
 
 Model read_obj(const std::string& path, const ReadOptions& options) {
-  return read_obj_text(read_text_file(path), path, load_mtl_file, options);
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  const auto load_mtl = [&](const std::string& file) { return load_mtl_file(folder, file); };
+  return read_obj_text(read_text_file(path), path, load_mtl, options);
 }
 
 }  // namespace fixrad::host

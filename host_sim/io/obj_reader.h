@@ -22,9 +22,9 @@ using LoadText = std::function<std::optional<std::string>(const std::string& pat
 /// Reads a Wavefront OBJ file and the MTL files that it names (relative to its folder).
 ///
 /// Format: Wavefront "Object files (.obj)", appendix B1 of the Advanced Visualizer manual, as modelling tools
-/// write it: polygons of 3 to 10,000 corners, negative indices, names with blanks, line continuation. Texture
-/// coordinates, normals, groups, lines, points and free-form surfaces are not used. Coordinates are finite,
-/// at most 1e30.
+/// write it: polygons of 3 corners or more, negative indices, names with blanks, line continuation. Texture
+/// coordinates, normals, groups, lines, points and free-form surfaces are not used. limits.h says how much of
+/// it is read; MTL files lie in the folder of the OBJ file or below.
 ///
 /// Throws InputError with the first error of the file; the MTL files count as standing at the head of it.
 /// Throws std::invalid_argument if options.max_reflectance is outside [0, 1).
@@ -32,7 +32,7 @@ using LoadText = std::function<std::optional<std::string>(const std::string& pat
 Model read_obj(const std::string& path, const ReadOptions& options = {});
 
 /// The same from memory. `path` stands in messages, and its folder in the paths that `load_mtl` gets.
-Model read_obj_text(const std::string& text, const std::string& path, const LoadText& load_mtl,
+Model read_obj_text(std::string text, const std::string& path, const LoadText& load_mtl,
                     const ReadOptions& options = {});
 
 }  // namespace fixrad::host

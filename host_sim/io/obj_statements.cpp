@@ -7,13 +7,12 @@
 #include <optional>
 #include <utility>
 
+#include "host_sim/io/limits.h"
 #include "host_sim/io/parse_number.h"
 
 namespace fixrad::host {
 namespace {
 
-constexpr double kMaxCoordinate = 1e30;     // keeps areas, volumes and their squares finite
-constexpr std::size_t kMaxCorners = 10000;  // triangulating a polygon costs the square of its corners
 constexpr std::size_t kCoordinates = 3;
 
 /// Statements without influence on polygons and their materials.
@@ -30,12 +29,20 @@ bool contains(const Range& range, std::string_view keyword) {
   return std::find(std::begin(range), std::end(range), keyword) != std::end(range);
 }
 
+std::string at_most(std::size_t most, const char* what) {
+  return std::string("the file has more than ") + std::to_string(most) + " " + what +
+         "; no device holds as many, simplify the scene";
+}
+
 std::size_t count_vertices(const SourceText& source) {
   StatementReader reader(source);
   Statement statement;
   std::size_t count = 0;
   while (reader.next(statement)) {
     count += statement.keyword == "v" ? 1U : 0U;
+    if (count > kMaxVertices) {
+      source.fail(statement.keyword, at_most(kMaxVertices, "vertices"));
+    }
   }
   return count;
 }
@@ -67,6 +74,7 @@ class ObjParser {
   MaterialTable& materials_;
   Warnings& warnings_;
   std::size_t vertex_count_;
+  std::size_t corner_count_ = 0;
   std::string material_name_;
   std::string_view usemtl_;  // the keyword that material_name_ comes from; empty before the first
   std::optional<std::uint32_t> material_;
@@ -131,8 +139,16 @@ void ObjParser::read_face(const Statement& statement) {
                                         (count == 1 ? " corner" : " corners") +
                                         "; give it 3 or more, or delete it");
   }
-  if (count > kMaxCorners) {
-    source_.fail(statement.keyword, "the face has more than 10000 corners; split it");
+  if (count > kMaxFaceCorners) {
+    source_.fail(statement.keyword,
+                 "the face has more than " + std::to_string(kMaxFaceCorners) + " corners; split it");
+  }
+  if (model_.faces.size() == kMaxFaces) {
+    source_.fail(statement.keyword, at_most(kMaxFaces, "faces"));
+  }
+  corner_count_ += count;
+  if (corner_count_ > kMaxFileCorners) {
+    source_.fail(statement.keyword, at_most(kMaxFileCorners, "corners of faces"));
   }
   Face face;
   face.corners.reserve(count);

@@ -5,13 +5,14 @@
 #include <limits>
 #include <system_error>
 
+#include "host_sim/io/limits.h"
 #include "host_sim/io/source_text.h"
 
 namespace fixrad::host {
 namespace {
 
-// No 128 digits overflow a double, so "out of range" with a negative exponent can only be underflow.
-constexpr std::size_t kMaxNumberChars = 128;
+// No digits of so few characters overflow a double, so "out of range" with a negative exponent is underflow.
+static_assert(kMaxNumberChars < 300);
 
 std::string_view without_plus(std::string_view token) {
   const bool has_plus = token.size() > 1 && token[0] == '+' && token[1] != '-';

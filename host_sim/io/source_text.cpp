@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "host_sim/io/limits.h"
 #include "host_sim/io/model.h"
 
 namespace fixrad::host {
@@ -11,7 +12,6 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\v\f";
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr std::size_t kMaxStatementBytes = std::size_t{1} << 20;
 constexpr std::size_t kMaxQuotedBytes = 60;
 
 bool starts_with(std::string_view text, std::string_view prefix) {
@@ -78,20 +78,21 @@ std::string_view SourceText::view() const {
 std::string SourceText::locate(std::string_view token) const {
   const std::string_view text = view();
   const auto offset = static_cast<std::size_t>(token.data() - text.data());
-  int line = 1;
-  std::size_t line_begin = 0;
-  for (std::size_t i = 0; i < offset; ++i) {
+  if (offset < located_.offset) {
+    located_ = {};
+  }
+  for (std::size_t& i = located_.offset; i < offset; ++i) {
     const bool cr_alone = text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n');
     if (text[i] == '\n' || cr_alone) {
-      ++line;
-      line_begin = i + 1;
+      ++located_.line;
+      located_.line_begin = i + 1;
     }
   }
   int column = 1;
-  for (std::size_t i = line_begin; i < offset; ++i) {
+  for (std::size_t i = located_.line_begin; i < offset; ++i) {
     column += is_utf8_continuation(text[i]) ? 0 : 1;
   }
-  return path_ + ":" + std::to_string(line) + ":" + std::to_string(column);
+  return path_ + ":" + std::to_string(located_.line) + ":" + std::to_string(column);
 }
 
 void SourceText::fail(std::string_view token, const std::string& message) const {
@@ -134,6 +135,9 @@ bool StatementReader::read_pieces(Statement& statement) {
   std::size_t end = begin;
   for (bool continued = true; continued && position_ < text_.size();) {
     std::string_view line = take_line();
+    if (position_ - begin > kMaxStatementBytes) {
+      source_.fail(text_.substr(begin, 1), "the line is longer than 1 MiB; split it");
+    }
     continued = is_continued(line);
     if (continued) {
       line = line.substr(0, line.find_last_of('\\'));
@@ -144,9 +148,6 @@ bool StatementReader::read_pieces(Statement& statement) {
       statement.line = line_;
     }
     end = static_cast<std::size_t>(line.data() - text_.data()) + line.size();
-  }
-  if (end - begin > kMaxStatementBytes) {
-    source_.fail(text_.substr(begin, 1), "the line is longer than 1 MiB; split it");
   }
   if (words.empty()) {
     return false;

@@ -24,7 +24,7 @@ class SourceText {
   std::string_view view() const;
 
   /// `file:line:column` of a token, a view into view(). Both count from 1, columns in characters of UTF-8.
-  /// O(size): for messages only.
+  /// O(size), for tokens in the order of the file once: for messages only.
   std::string locate(std::string_view token) const;
 
   /// Throws InputError `file:line:column: error: message`; message is "what is wrong; what to do".
@@ -33,9 +33,16 @@ class SourceText {
  private:
   void refuse_binary() const;
 
+  // How far locate() has counted lines.
+  struct Located {
+    std::size_t offset = 0, line_begin = 0;
+    int line = 1;
+  };
+
   std::string path_;
   std::string text_;
   const char* kind_;
+  mutable Located located_;
 };
 
 /// One statement: a line, or several joined by a backslash at the end of each but the last.

@@ -13,8 +13,6 @@
 namespace fixrad::host {
 namespace {
 
-constexpr std::size_t kMaxFileBytes = std::size_t{256} << 20;
-
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
@@ -29,7 +27,7 @@ struct CloseFile {
 
 }  // namespace
 
-std::string read_text_file(const std::string& path) {
+std::string read_text_file(const std::string& path, std::size_t most) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found) {
@@ -38,17 +36,26 @@ std::string read_text_file(const std::string& path) {
   if (std::filesystem::is_directory(status)) {
     refuse(path, "is a folder, not a file; name a file in it");
   }
+  const auto refuse_size = [&] {
+    refuse(path, "is larger than " + std::to_string(most >> 20) + " MiB; reduce the scene");
+  };
+  const std::uintmax_t size =
+      std::filesystem::is_regular_file(status) ? std::filesystem::file_size(path, error) : 0;
+  if (!error && size > most) {
+    refuse_size();
+  }
   const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
   if (!file) {
     refuse_unreadable(path, errno);
   }
   std::string text;
+  text.reserve(error ? 0 : static_cast<std::size_t>(size));
   std::array<char, 65536> block{};
   for (std::size_t count = block.size(); count > 0;) {
     count = std::fread(block.data(), 1, block.size(), file.get());
     text.append(block.data(), count);
-    if (text.size() > kMaxFileBytes) {
-      refuse(path, "is larger than 256 MiB; reduce the scene");
+    if (text.size() > most) {
+      refuse_size();
     }
   }
   if (std::ferror(file.get()) != 0) {

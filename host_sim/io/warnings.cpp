@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "host_sim/io/warnings.h"
 
+#include "host_sim/io/limits.h"
+
 namespace fixrad::host {
-namespace {
-
-constexpr std::size_t kMaxWarnings = 100;
-
-}  // namespace
-
 void Warnings::say_once(const std::string& kind, const SourceText& source, std::string_view token,
                         const std::string& message) {
   if (lines_.size() >= kMaxWarnings || !kinds_.insert(kind).second) {

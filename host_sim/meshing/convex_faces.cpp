@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <set>
 
+#include "host_sim/io/limits.h"
 #include "host_sim/meshing/triangulate.h"
 #include "lib/scene/scene.h"
 
@@ -88,6 +89,11 @@ ConvexFaces make_convex(const Model& model, const QuantisedVertices& vertices) {
       const auto input = static_cast<std::uint32_t>(f);
       result.faces.push_back(
           {piece, polygon_normal(vertices, piece), face.material, face.smoothing_group, {{input, piece}}});
+    }
+    if (result.faces.size() > kMaxPieces) {
+      throw InputError(model.path + ":" + std::to_string(face.line) +
+                       ": error: with this face there are more than " + std::to_string(kMaxPieces) +
+                       " convex pieces; simplify the scene");
     }
     if (pieces.empty() && collapsed++ == 0) {
       first_line = face.line;

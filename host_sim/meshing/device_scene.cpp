@@ -39,6 +39,13 @@ glm::dvec3 lifted(glm::dvec3 point, const FaceFrame& frame, glm::dvec3 corner) {
   return glm::clamp(q, 0.0, 65535.0);
 }
 
+template <class Faces>
+bool has_lamp(const Model& model, const Faces& faces) {
+  return std::any_of(faces.begin(), faces.end(), [&](const auto& face) {
+    return model.materials[face.material].emission != glm::dvec3(0.0);
+  });
+}
+
 class Builder {
  public:
   Builder(const PreparedScene& scene, const Meshing& meshing) : scene_(scene), meshing_(meshing) {}
@@ -216,9 +223,13 @@ class Builder {
         units_a_watt = std::min(units_a_watt, 0.99 * std::ldexp(1.0 - reflectance, 30) / emitted);
       }
     }
+    if (!std::isfinite(units_a_watt)) {
+      units_a_watt = 1;  // nothing emits: any unit will do
+    }
     device_.unit_watts = 1 / units_a_watt;
     const double area_unit = 1 / (kAreaScale * device_.grid.scale * device_.grid.scale);
-    const double flux_a_unit = brightest * area_unit * units_a_watt;
+    const double flux_a_unit =
+        std::max(brightest * area_unit * units_a_watt, std::numeric_limits<double>::min());
     device_.emission_shift = std::clamp(31 - std::ilogb(flux_a_unit), 0, 63);
     device_.radiosity_shift = std::clamp(27 - std::ilogb(flux_a_unit), 0, 32);
     device_.unit_radiosity = device_.unit_watts / area_unit / std::ldexp(1.0, device_.radiosity_shift);
@@ -266,6 +277,10 @@ PreparedScene prepare(const Model& model) {
     throw InputError(
         model.path +
         ": error: no face has an area on the device's grid; check the scene's unit and outliers");
+  }
+  if (has_lamp(model, model.faces) && !has_lamp(model, scene.faces)) {
+    throw InputError(model.path +
+                     ": error: no face that emits light has an area on the device's grid; enlarge the lamp");
   }
   if (corners > 65535 || scene.vertices.positions.size() > 65535 || model.materials.size() > 65535) {
     throw InputError(model.path + ": error: more than 65535 vertices or corners; simplify the scene");

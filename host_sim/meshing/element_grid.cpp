@@ -7,12 +7,15 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "lib/scene/scene.h"
+
 namespace fixrad::host {
 namespace {
 
 constexpr double kSliver = 0.2;    // of a whole cell's area
 constexpr double kParallel = 1.5;  // grid units that a parallelogram's fourth corner may be off
 constexpr int kMostCells = 100;    // within the core's 127
+constexpr double kLeastAxis = 2;   // grid units: rounding each by sqrt(3)/2 leaves an area, 1.13^2 > 0.87^2
 constexpr double kOutside = 1e3;   // stands for infinity in (s, t)
 
 glm::dvec3 position(const QuantisedVertices& vertices, std::uint32_t v) {
@@ -71,8 +74,14 @@ void box_axes(const QuantisedVertices& vertices, const ConvexFace& face, FaceFra
     high = glm::max(high, glm::dvec2(glm::dot(d, u), glm::dot(d, v)));
   }
   frame.origin = glm::ivec3(glm::round(base + low.x * u + low.y * v));
-  frame.axis_u = glm::ivec3(glm::round((high.x - low.x) * u));
-  frame.axis_v = glm::ivec3(glm::round((high.y - low.y) * v));
+  frame.axis_u = glm::ivec3(glm::round(std::max(kLeastAxis, high.x - low.x) * u));
+  frame.axis_v = glm::ivec3(glm::round(std::max(kLeastAxis, high.y - low.y) * v));
+}
+
+// Whether the core sees the frame from its face's lit side; edges of a sliver may turn the other way.
+bool spans(const FaceFrame& frame) {
+  const glm::dvec3 seen = glm::round(frame.normal * static_cast<double>(kUnit));
+  return glm::dot(glm::cross(glm::dvec3(frame.axis_u), glm::dvec3(frame.axis_v)), seen) > 0;
 }
 
 Polygon2d strip(const Polygon2d& outline, double u0, double u1, double v0, double v1) {
@@ -131,7 +140,7 @@ FaceFrame make_frame(const QuantisedVertices& vertices, const ConvexFace& face) 
   for (const std::uint32_t v : face.corners) {
     frame.height += position(vertices, v) / static_cast<double>(face.corners.size());
   }
-  if (!edge_axes(vertices, face, frame)) {
+  if (!edge_axes(vertices, face, frame) || !spans(frame)) {
     box_axes(vertices, face, frame);
   }
   for (const std::uint32_t v : face.corners) {

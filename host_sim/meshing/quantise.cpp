@@ -17,6 +17,9 @@ namespace {
 constexpr int kMargin =
     8;  // grid units; eyes are lifted by half a unit, or a few where a face is not quite planar
 
+constexpr std::size_t kMostVertices = 65535;  // the core numbers them in 16 bits
+constexpr double kLeastExtent = 1e-30;        // keeps the square of the scale finite
+
 }  // namespace
 
 QuantisedVertices quantise(const Model& model) {
@@ -30,7 +33,7 @@ QuantisedVertices quantise(const Model& model) {
   }
   const glm::dvec3 size = high - low;
   const double extent = std::max({size.x, size.y, size.z});
-  if (model.faces.empty() || !(extent > 0) || !std::isfinite(extent)) {
+  if (model.faces.empty() || !(extent >= kLeastExtent) || !std::isfinite(extent)) {
     throw InputError(model.path +
                      ": error: the scene has no extent that can be represented; check its coordinates");
   }
@@ -52,6 +55,10 @@ QuantisedVertices quantise(const Model& model) {
           known.try_emplace({p.x, p.y, p.z}, static_cast<std::uint32_t>(result.positions.size()));
       if (is_new) {
         result.positions.push_back(p);
+      }
+      if (result.positions.size() > kMostVertices) {
+        throw InputError(model.path + ":" + std::to_string(face.line) +
+                         ": error: this face brings the vertices to more than 65535; simplify the scene");
       }
       result.index_of[v] = it->second;
       result.largest_error =

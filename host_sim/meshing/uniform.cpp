@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "host_sim/meshing/device_scene.h"
 
@@ -12,11 +13,12 @@ bool is_lamp(const PreparedScene& scene, std::size_t f) {
   return scene.model->materials[scene.faces[f].material].emission != glm::dvec3(0.0);
 }
 
+// Gives up, with part of the faces, once there are more than `most` elements.
 std::vector<FaceElements> cut_all(const PreparedScene& scene, double h, int least_on_lamps,
-                                  std::uint32_t& count) {
+                                  std::uint32_t most, std::uint32_t& count) {
   std::vector<FaceElements> faces;
   count = 0;
-  for (std::size_t f = 0; f < scene.faces.size(); ++f) {
+  for (std::size_t f = 0; f < scene.faces.size() && count <= most; ++f) {
     const auto [nu, nv] = cells_for_size(scene.frames[f], h, is_lamp(scene, f) ? least_on_lamps : 1);
     faces.push_back(cut_face(scene.frames[f], nu, nv));
     count += static_cast<std::uint32_t>(faces.back().elements.size());
@@ -57,11 +59,12 @@ Meshing make_uniform(const PreparedScene& scene, std::uint32_t elements, std::ui
   Meshing best;
   double low = std::sqrt(total / std::max(1u, elements)) / 4;
   double high = low * 64;
-  best.faces = cut_all(scene, high * 1e6, least_on_lamps, best.element_count);
+  best.faces = cut_all(scene, high * 1e6, least_on_lamps, std::numeric_limits<std::uint32_t>::max(),
+                       best.element_count);
   for (int i = 0; i < 24; ++i) {
     const double middle = std::sqrt(low * high);
     std::uint32_t count = 0;
-    std::vector<FaceElements> faces = cut_all(scene, middle, least_on_lamps, count);
+    std::vector<FaceElements> faces = cut_all(scene, middle, least_on_lamps, elements, count);
     if (count <= elements) {
       high = middle;
       if (count >= best.element_count) {

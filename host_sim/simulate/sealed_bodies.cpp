@@ -45,7 +45,9 @@ class Bodies {
     for (const auto& [edge, face] : owner_) {
       const auto partner = owner_.find({edge.second, edge.first});
       if (partner != owner_.end()) {
-        root_[of(face)] = of(partner->second);
+        const std::size_t root = of(partner->second);
+        root_[of(face)] = root;
+        root_[face] = root_[partner->second] = root;  // so that long chains stay short ways
       }
     }
   }

@@ -4,13 +4,14 @@
 #include <limits.h>
 #include <stdint.h>
 
+#include "lib/fixed/checked.h"
 #include "lib/fixed/product.h"
 #include "lib/fixed/q.h"
 
 namespace fixrad {
 
 /// |a| as an unsigned number, INT32_MIN included.
-inline uint32_t magnitude(int32_t a) {
+FIXRAD_MODULO inline uint32_t magnitude(int32_t a) {
   return a < 0 ? 0u - static_cast<uint32_t>(a) : static_cast<uint32_t>(a);
 }
 
@@ -30,7 +31,7 @@ inline Flux reflect(Reflectance reflectance, Flux received) {
 /// How much more of `received` + `share` is reflected than of `received`: the difference of two reflect(),
 /// with one wide product less where both fluxes have one sign. There the low words of the two products tell
 /// whether the sum carries.
-inline Flux reflect_more(Reflectance reflectance, Flux received, Flux share) {
+FIXRAD_MODULO inline Flux reflect_more(Reflectance reflectance, Flux received, Flux share) {
   if ((received.raw ^ share.raw) < 0) {
     return reflect(reflectance, received + share) - reflect(reflectance, received);
   }
@@ -44,7 +45,7 @@ inline Flux reflect_more(Reflectance reflectance, Flux received, Flux share) {
 /// a / 2^shift towards minus infinity. C++17 leaves >> of a negative number to the compiler; every compiler
 /// that the project is built with shifts arithmetically, which tests/lib asserts on each target.
 inline int32_t floor_shift(int32_t a, int shift) {
-  return a >> shift;
+  return a >> shift;  // cppcheck-suppress shiftNegativeLHS ; as above
 }
 
 /// a / 2^shift to the nearest integer, shift > 0; needs a < 2^31 - 2^(shift - 1).

@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "lib/fixed/arithmetic.h"
+#include "lib/fixed/checked.h"
 
 namespace fixrad {
 
@@ -44,7 +45,7 @@ class FluxCutter {
   FluxCutter(Flux flux, uint32_t phase) : cutter_(magnitude(flux.raw), phase), is_negative_(flux.raw < 0) {}
 
   Flux cut(uint32_t part) {
-    const int32_t piece = static_cast<int32_t>(cutter_.cut(part));
+    const int32_t piece = narrow<int32_t>(cutter_.cut(part), Place::piece_of_flux);
     return Flux::from_raw(is_negative_ ? -piece : piece);
   }
 

@@ -34,9 +34,11 @@ Vec3 unit_cross(const Vec3& a, const Vec3& b) {
   return {determinant(a.y, a.z, b.y, b.z), determinant(a.z, a.x, b.z, b.x), determinant(a.x, a.y, b.x, b.y)};
 }
 
+// The bisector of opposite directions is what rounding leaves of their sum: it may point anywhere.
 int32_t acute_term(const Vec3& a, const Vec3& b, const Vec3& n) {
   const int32_t sine = unit_dot(unit_cross(a, b), n);
-  return scaled_product(angle_over_sine(unit_dot(a, b)), sine, 2 * kArcBits - kAngleBits);
+  const int32_t cosine = unit_dot(a, b);
+  return scaled_product(angle_over_sine(cosine > 0 ? cosine : 0), sine, 2 * kArcBits - kAngleBits);
 }
 
 }  // namespace

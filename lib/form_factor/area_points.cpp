@@ -24,7 +24,7 @@ uint16_t sobol(int i, unsigned dimension) {
 }
 
 // Every bit of the result depends on every bit of `a` (Wellons 2018, "Prospecting for hash functions").
-uint32_t mixed(uint32_t a) {
+FIXRAD_MODULO uint32_t mixed(uint32_t a) {
   a ^= a >> 16;
   a *= 0x7feb352dul;
   a ^= a >> 15;
@@ -60,13 +60,16 @@ uint32_t triangle_measure(const Polygon& polygon, int k, int shift) {
 }
 
 bool closes(const Polygon& p) {
+  if (p.count != 4) {
+    return false;
+  }
   const Vec3 a = p.corner[1] - p.corner[0], b = p.corner[2] - p.corner[3];
-  return p.count == 4 && max_magnitude(a - b) <= 2 * static_cast<uint32_t>(kFineScale);
+  return max_magnitude(a - b) <= 2 * static_cast<uint32_t>(kFineScale);
 }
 
 }  // namespace
 
-RayCoordinates ray_coordinates(int i, int log2, uint32_t pair) {
+FIXRAD_MODULO RayCoordinates ray_coordinates(int i, int log2, uint32_t pair) {
   const uint32_t first = mixed(pair), second = mixed(first + 0x9e3779b9ul);
   const uint16_t place = static_cast<uint16_t>(static_cast<uint32_t>(i) << (16 - log2));
   return {static_cast<uint16_t>(place ^ (first & 0xffffu)),
@@ -91,6 +94,9 @@ Vec3 AreaPoints::at(uint16_t s, uint16_t t) const {
     return affine_point(corner[0], corner[1], corner[3], s, t);
   }
   const int last = polygon_.count - 3;
+  if (last < 0) {
+    return polygon_.count > 0 ? corner[0] : Vec3{0, 0, 0};
+  }
   const uint32_t wanted = static_cast<uint32_t>(wide_product(part_[last], s) >> 16);
   int k = 0;
   while (k < last && part_[k] <= wanted) {

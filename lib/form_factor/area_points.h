@@ -22,8 +22,9 @@ struct RayCoordinates {
 RayCoordinates ray_coordinates(int i, int log2, uint32_t pair);
 
 /// The point of a convex polygon at coordinates (s, t), UQ0.16, 1/64 grid unit: on a parallelogram along its
-/// sides, else in a fan of triangles chosen by area. Equal areas get equal parts of the unit square. Cost: 6
-/// wide products, for other polygons 12 a corner more.
+/// sides, else in a fan of triangles chosen by area. Equal areas get equal parts of the unit square. Of a
+/// polygon without area (cuts may leave nothing of an element) it is any point on the grid. Cost: 6 wide
+/// products, for other polygons 12 a corner more.
 class AreaPoints {
  public:
   explicit AreaPoints(const Polygon& polygon);

@@ -8,7 +8,7 @@ constexpr int kAxisBits = 15;
 constexpr int kLineBits = 20;  // of a grid line's normal
 constexpr int kSideBits = 30;  // of a corner's distance from a line, before it is divided
 
-int wide_bits(int64_t a) {
+FIXRAD_MODULO int wide_bits(int64_t a) {
   const uint64_t m = a < 0 ? 0u - static_cast<uint64_t>(a) : static_cast<uint64_t>(a);
   const uint32_t high = static_cast<uint32_t>(m >> 32);
   return high != 0 ? 32 + bit_length(high) : bit_length(static_cast<uint32_t>(m));

@@ -77,7 +77,9 @@ class RayRow {
                {p.x - corner.x * kEyeScale, p.y - corner.y * kEyeScale, p.z - corner.z * kEyeScale});
   }
 
-  static uint32_t sum_of(uint32_t a, uint32_t b) { return b < kRaySumLimit - a ? a + b : kRaySumLimit; }
+  static uint32_t sum_of(uint32_t a, uint32_t b) {
+    return saturate(static_cast<uint64_t>(a) + b, Place::sum_of_pairs, kRaySumLimit);
+  }
 
   // The part of a factor that its rays let through.
   uint32_t arriving(uint16_t slot, int32_t factor, const Polygon& target) {

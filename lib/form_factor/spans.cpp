@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lib/form_factor/spans.h"
 
+#include "lib/fixed/checked.h"
+
 #include "lib/form_factor/delta_table.h"
 
 namespace fixrad {
@@ -94,7 +96,7 @@ bool VisibleSpans::paint(uint16_t& i, Interval part, uint16_t index) {
   const bool has_tail = part.end < spans[i + 1].start;
   if (!has_head && i > 0 && spans[i - 1].view == index) {
     if (has_tail) {
-      spans[i].start = static_cast<int16_t>(part.end);
+      spans[i].start = narrow<int16_t>(part.end, Place::row_position);
     } else {
       close(i--);
     }
@@ -107,11 +109,11 @@ bool VisibleSpans::paint(uint16_t& i, Interval part, uint16_t index) {
     }
   }
   if (has_head) {
-    spans[++i].start = static_cast<int16_t>(part.begin);
+    spans[++i].start = narrow<int16_t>(part.begin, Place::row_position);
   }
   spans[i].view = index;
   if (has_tail) {
-    spans[++i] = {static_cast<int16_t>(part.end), old};
+    spans[++i] = {narrow<int16_t>(part.end, Place::row_position), old};
   }
   return true;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lib/form_factor/split.h"
 
+#include "lib/fixed/checked.h"
+
 #include "lib/form_factor/delta_table.h"
 
 namespace fixrad {
@@ -88,7 +90,8 @@ uint16_t ElementWalk::cell_at(int16_t u, int16_t v) {
   }
   const int16_t cell =
       u < cell_row_.first_cell ? cell_row_.first_cell : (u > cell_row_.last_cell ? cell_row_.last_cell : u);
-  return static_cast<uint16_t>(cell_row_.first_element + static_cast<unsigned>(cell - cell_row_.first_cell));
+  return narrow<uint16_t>(cell_row_.first_element + static_cast<uint32_t>(cell - cell_row_.first_cell),
+                          Place::element_of_cell);
 }
 
 // The first row of the grid that shows the same cells: sliver rows at the border repeat their neighbour.
@@ -141,7 +144,7 @@ void ElementWalk::descend(uint16_t side, Interval part) {
       if (border <= part.begin) {
         side = far;
       } else if (border < part.end) {
-        waiting_[waiting_count_++] = {far, static_cast<int16_t>(part.end)};
+        waiting_[waiting_count_++] = {far, narrow<int16_t>(part.end, Place::row_position)};
         part.end = border;
       }
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lib/form_factor/view.h"
 
+#include "lib/fixed/checked.h"
+
 namespace fixrad {
 namespace {
 
@@ -17,7 +19,8 @@ void make_directions(const Scene& scene, const EyeFrame& frame, Vec3 eye, Direct
     const Vec3 v = vec(flash_at(scene.vertices, i));
     const Vec3 offset = {v.x * kEyeScale - eye.x, v.y * kEyeScale - eye.y, v.z * kEyeScale - eye.z};
     const Vec3 d = block_normalise(to_local(frame, offset), kDirectionBits);
-    directions[i] = {static_cast<int16_t>(d.x), static_cast<int16_t>(d.y), static_cast<int16_t>(d.z), 0};
+    directions[i] = {narrow<int16_t>(d.x, Place::direction), narrow<int16_t>(d.y, Place::direction),
+                     narrow<int16_t>(d.z, Place::direction), 0};
   }
 }
 
@@ -83,11 +86,11 @@ void make_plane(const EyeFrame& frame, Vec3 normal, int32_t height, FaceView& vi
   const int bits = bit_length(h);
   const uint32_t top = bits > 16 ? h >> (bits - 16) : h << (16 - bits);
   const uint32_t reciprocal = (static_cast<uint32_t>(1) << 31) / top;
-  const int32_t factor = static_cast<int32_t>(reciprocal < 0xffffu ? reciprocal : 0xffffu);
+  const int32_t factor = static_cast<int32_t>(saturate(reciprocal, Place::depth_reciprocal, 0xffffu));
   const int32_t sign = view.is_back ? factor : -factor;
-  view.depth[0] = static_cast<int16_t>(floor_shift(n.x * sign, 16));
-  view.depth[1] = static_cast<int16_t>(floor_shift(n.y * sign, 16));
-  view.depth[2] = static_cast<int16_t>(floor_shift(n.z * sign, 16));
+  view.depth[0] = narrow<int16_t>(floor_shift(n.x * sign, 16), Place::depth_of_plane);
+  view.depth[1] = narrow<int16_t>(floor_shift(n.y * sign, 16), Place::depth_of_plane);
+  view.depth[2] = narrow<int16_t>(floor_shift(n.z * sign, 16), Place::depth_of_plane);
   view.depth_shift = static_cast<uint8_t>(bits);
 }
 

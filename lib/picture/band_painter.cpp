@@ -10,7 +10,7 @@ namespace {
 constexpr int32_t kInPlane = 2;
 
 uint16_t saturated(uint32_t light) {
-  return static_cast<uint16_t>(light > kLightMax ? kLightMax : light);
+  return static_cast<uint16_t>(saturate(light, Place::light_of_picture, kLightMax));
 }
 
 uint16_t part_of(uint16_t specular, uint16_t light) {

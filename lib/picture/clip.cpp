@@ -19,8 +19,8 @@ ViewCorner cut(const ViewCorner& kept, int32_t kept_distance, const ViewCorner& 
   result.at = {between(kept.at.x, gone.at.x, part), between(kept.at.y, gone.at.y, part),
                between(kept.at.z, gone.at.z, part)};
   for (int c = 0; c < kMaxChannels; ++c) {
-    result.light[c] = static_cast<uint16_t>(between(kept.light[c], gone.light[c], part));
-    result.normal[c] = static_cast<int16_t>(between(kept.normal[c], gone.normal[c], part));
+    result.light[c] = narrow<uint16_t>(between(kept.light[c], gone.light[c], part), Place::clipped_light);
+    result.normal[c] = narrow<int16_t>(between(kept.normal[c], gone.normal[c], part), Place::clipped_normal);
   }
   return result;
 }

@@ -51,7 +51,7 @@ uint32_t arriving_part(const PictureLamp& lamp, Vec3 way, int32_t at_surface, in
   const uint32_t cosines = mul_high(unsigned_cosine(at_surface), unsigned_cosine(at_lamp)) >> 16;
   const uint64_t numerator = wide_product(mul_high(lamp.area, kTwoOverPi), cosines);
   const uint64_t part = (numerator << 16) / (square(way) | 1u);
-  return part > 0xffffffffu ? 0xffffffffu : static_cast<uint32_t>(part);
+  return saturate(part, Place::light_of_lamp);
 }
 
 struct Point {
@@ -96,7 +96,7 @@ void add_highlights(const PictureScene& scene, const PictureMaterial& material, 
     for (uint8_t c = 0; c < scene.channels; ++c) {
       const uint64_t shown = static_cast<uint64_t>(lamp.light[c]) * material.specular[c] >> 16;
       const uint64_t sum = light[c] + (wide_product(static_cast<uint32_t>(shown), gain) >> kGainBits);
-      light[c] = static_cast<uint16_t>(sum > kLightMax ? kLightMax : sum);
+      light[c] = static_cast<uint16_t>(saturate(sum, Place::light_of_picture, kLightMax));
     }
   }
 }

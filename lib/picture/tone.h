@@ -14,7 +14,7 @@ struct Exposure {
 /// Light of a radiosity, saturating.
 inline uint16_t expose(const Exposure& exposure, Radiosity radiosity) {
   const uint64_t light = wide_product(exposure.factor, radiosity.raw) >> exposure.shift;
-  return static_cast<uint16_t>(light > kLightMax ? kLightMax : light);
+  return static_cast<uint16_t>(saturate(light, Place::light_of_picture, kLightMax));
 }
 
 /// The tone curve's tables, host_sim/report/make_tone_table.cpp writes them. Up to 2^kToneLow (a quarter) the

@@ -146,7 +146,7 @@ int64_t signed_by(int32_t offset, int64_t change) {
   return offset > 0 ? change : (offset < 0 ? -change : 0);
 }
 
-uint64_t size_of(int64_t a) {
+FIXRAD_MODULO uint64_t size_of(int64_t a) {
   return a < 0 ? 0u - static_cast<uint64_t>(a) : static_cast<uint64_t>(a);
 }
 
@@ -182,16 +182,16 @@ Status estimate(State& state, RefinedScene& tables, const DeltaTable& table, uin
   const Extents& size = shape.extents;
   const bool cuts_u = size.is_long_u || (!size.is_long_v && size_of(change_u) >= size_of(change_v));
   const uint64_t error = wide_product(high - low, light.element().area) >> kErrorShift;
-  const uint32_t kept = error < 0xffffffffu ? static_cast<uint32_t>(error) : 0xffffffffu;
+  const uint32_t kept = saturate(error, Place::error_of_element);
   const bool is_wide = (cuts_u ? size.u : size.v) >= 2 * kLeastWidth;
   tables.errors[e] = is_wide && cells.cuts < kMostCuts ? (kept & ~kCutsU) | (cuts_u ? kCutsU : 0u) : 0u;
   return Status::ok;
 }
 
 void store(uint16_t (&eye)[3], const Vec3& p) {
-  eye[0] = static_cast<uint16_t>(p.x);
-  eye[1] = static_cast<uint16_t>(p.y);
-  eye[2] = static_cast<uint16_t>(p.z);
+  eye[0] = narrow<uint16_t>(p.x, Place::eye_of_part);
+  eye[1] = narrow<uint16_t>(p.y, Place::eye_of_part);
+  eye[2] = narrow<uint16_t>(p.z, Place::eye_of_part);
 }
 
 // The parts of an element that is to be cut, and the light at their centroids.
@@ -206,7 +206,8 @@ Status plan_parts(State& state, const DeltaTable& table, uint16_t e, bool cuts_u
   const Face& face = light.face();
   const ElementCells cells = cells_of(state.scene, face, e);
   const CellPoint centre = cell_point(face, cells, shape_of(state.scene, face, cells).centroid);
-  const int16_t offset = static_cast<int16_t>(-floor_shift(cuts_u ? centre.u : centre.v, 16 - kCutBits));
+  const int16_t offset =
+      narrow<int16_t>(-floor_shift(cuts_u ? centre.u : centre.v, 16 - kCutBits), Place::offset_of_cut);
   const int16_t one = 1 << kCutBits, none = 0;
   parts.split.parent = e;
   parts.split.cut = {cuts_u ? one : none, cuts_u ? none : one, offset, 0, 0};

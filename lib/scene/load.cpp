@@ -233,7 +233,7 @@ Status check_light(const Scene& scene, int channel, bool& emits) {
 }
 
 Status check_counts(const Scene& scene, const Capacity& capacity) {
-  if (scene.channels == 0 || scene.channels > kMaxChannels || scene.channels > capacity.channels) {
+  if ((scene.channels != 1 && scene.channels != kMaxChannels) || scene.channels > capacity.channels) {
     return Status::bad_channel_count;
   }
   if (scene.vertex_count > capacity.vertices) {

@@ -3,6 +3,7 @@
 
 #include <stdint.h>
 
+#include "lib/fixed/checked.h"
 #include "lib/fixed/flash.h"
 #include "lib/fixed/q.h"
 #include "lib/fixed/vec3.h"
@@ -145,7 +146,7 @@ inline Sight sight_of(const Scene& scene, uint16_t element) {
 /// Flux that an element emits by itself, one channel. The product has 64 bits.
 inline Flux emitted_flux(const Scene& scene, const Material& material, uint32_t area, int channel) {
   const uint64_t product = static_cast<uint64_t>(material.emission[channel]) * area;
-  return Flux::from_raw(static_cast<int32_t>(product >> scene.emission_shift));
+  return Flux::from_raw(narrow<int32_t>(product >> scene.emission_shift, Place::emitted_flux));
 }
 
 }  // namespace fixrad

@@ -21,6 +21,7 @@ void store_row(const FormFactorRow& row, FormFactorMatrix& matrix, uint16_t e) {
   for (uint16_t j = 0; j < row.count; ++j) {
     sum += row.share[j];
     uint32_t part = sum / kMatrixUnit - stored;
+    count_cut(part > 0xffffu, Place::matrix_entry);
     if (part > 0xffffu) {
       part = 0xffffu;
       if (j > 0) {
@@ -32,7 +33,7 @@ void store_row(const FormFactorRow& row, FormFactorMatrix& matrix, uint16_t e) {
     stored += part;
   }
   const uint32_t back = (sum + row.back) / kMatrixUnit - stored;
-  matrix.back[e] = static_cast<uint16_t>(back < 0xffffu ? back : 0xffffu);
+  matrix.back[e] = static_cast<uint16_t>(saturate(back, Place::matrix_entry, 0xffffu));
 }
 
 struct Light {

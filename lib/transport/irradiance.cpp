@@ -27,7 +27,7 @@ Status gather_irradiance(State& state, const DeltaTable& table, DirectLight dire
     state.row.share[j] = 0;
   }
   for (int c = 0; c < kMaxChannels; ++c) {
-    irradiance.of[c] = Radiosity::from_raw(static_cast<uint32_t>(sum[c] / kRowOne));
+    irradiance.of[c] = Radiosity::from_raw(narrow<uint32_t>(sum[c] / kRowOne, Place::irradiance));
   }
   state.row.escaped = state.row.back = 0;
   return Status::ok;

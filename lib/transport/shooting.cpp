@@ -70,7 +70,7 @@ uint32_t give_shares_to_faces(State& state, FluxCutter* cutter) {
 }
 
 // Not inlined, as others here: what they keep on the stack is not to lie under the engine's.
-__attribute__((noinline)) void distribute(State& state, const Flux* amount) {
+FIXRAD_MODULO __attribute__((noinline)) void distribute(State& state, const Flux* amount) {
   const uint32_t phase = (state.shots * kGoldenStep) >> 12;
   FluxCutter cutter[kMaxChannels] = {{amount[0], phase}, {amount[1], phase}, {amount[2], phase}};
   const int channels = state.scene.channels;
@@ -311,7 +311,7 @@ Fraction unshot_fraction(const State& state) {
     const uint64_t part = emitted == 0 ? 0 : (sum_unshot(state, c).magnitude << 32) / emitted;
     worst = part > worst ? part : worst;
   }
-  return Fraction::from_raw(worst > 0xffffffffu ? 0xffffffffu : static_cast<uint32_t>(worst));
+  return Fraction::from_raw(saturate(worst, Place::unshot_fraction));
 }
 
 Status shoot(State& state) {

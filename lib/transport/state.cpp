@@ -21,10 +21,6 @@ uint32_t quarter_part(uint64_t flux, Fraction part) {
   return quarters > 0 ? quarters : 1;
 }
 
-uint32_t saturate(uint64_t a) {
-  return a > 0xffffffffu ? 0xffffffffu : static_cast<uint32_t>(a);
-}
-
 }  // namespace
 
 void reset(State& state, const Scene& scene, const Settings& settings) {
@@ -99,7 +95,8 @@ Radiosity ambient_of(const State& state, int c, int64_t unshot) {
     return Radiosity::from_raw(0);
   }
   return Radiosity::from_raw(
-      saturate((static_cast<uint64_t>(unshot) << state.scene.radiosity_shift) / state.absorbing_area[c]));
+      saturate((static_cast<uint64_t>(unshot) << state.scene.radiosity_shift) / state.absorbing_area[c],
+               Place::ambient_radiosity));
 }
 
 Radiosity element_radiosity(const State& state, uint16_t e, int c, Radiosity ambient) {
@@ -107,7 +104,7 @@ Radiosity element_radiosity(const State& state, uint16_t e, int c, Radiosity amb
   const uint64_t flux = static_cast<uint64_t>(exitent_flux(state, e, c).raw);
   const uint64_t own = (flux << state.scene.radiosity_shift) / element.area;
   const uint32_t reflectance = material_of(state.scene, element).reflectance[c];
-  return Radiosity::from_raw(saturate(own + mul_high(reflectance, ambient.raw)));
+  return Radiosity::from_raw(saturate(own + mul_high(reflectance, ambient.raw), Place::element_radiosity));
 }
 
 }  // namespace fixrad

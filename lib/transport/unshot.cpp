@@ -121,8 +121,8 @@ bool plan_amount(const State& state, const EyeSource& source, Flux* amount) {
     int32_t flux = source.kind == SourceKind::face ? account_of(state, c)[source.face] : 0;
     for (uint16_t i = 0; source.kind != SourceKind::face && i < source.count; ++i) {
       const uint16_t e = source_element(state.scene, source, i);
-      const uint32_t after = long_flux(sent_after(state, e, c));
-      flux += static_cast<int32_t>(after - sent_flux(state, e, c));
+      const int32_t after = static_cast<int32_t>(long_flux(sent_after(state, e, c)));
+      flux += after - static_cast<int32_t>(sent_flux(state, e, c));
     }
     amount[c] = Flux::from_raw(flux);
     is_any = is_any || flux != 0;

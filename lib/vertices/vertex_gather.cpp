@@ -14,7 +14,7 @@ uint64_t emitted_radiosity(const Scene& scene, uint32_t emission) {
 Radiosity leaving(const Scene& scene, const Material& material, int channel, Radiosity irradiance) {
   const uint64_t sum = emitted_radiosity(scene, material.emission[channel]) +
                        mul_high(material.reflectance[channel], irradiance.raw);
-  return Radiosity::from_raw(sum > 0xffffffffu ? 0xffffffffu : static_cast<uint32_t>(sum));
+  return Radiosity::from_raw(saturate(sum, Place::gathered_radiosity));
 }
 
 Status gather_if_clear(State& state, const DeltaTable& table, DirectLight direct, const EyePoint& eye,

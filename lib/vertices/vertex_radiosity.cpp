@@ -27,7 +27,7 @@ Radiosity vertex_radiosity(const State& state, const VertexMap& map, uint32_t ve
       mean_round(state, map, flash_read(map.vertices, static_cast<unsigned>(v.inner)), channel, ambient);
   const uint64_t twice = 2 * static_cast<uint64_t>(mean);
   const uint64_t border = twice > inner ? twice - inner : 0;
-  return Radiosity::from_raw(border > 0xffffffffu ? 0xffffffffu : static_cast<uint32_t>(border));
+  return Radiosity::from_raw(saturate(border, Place::vertex_radiosity));
 }
 
 }  // namespace fixrad

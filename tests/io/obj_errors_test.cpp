@@ -71,7 +71,7 @@ TEST(ObjReaderRefuses, FacesWithTooManyCorners) {
   for (int i = 0; i < 10001; ++i) {
     face += " 1";
   }
-  EXPECT_THAT(error_after_square(face), HasSubstr("more than 10000 corners; split it"));
+  EXPECT_THAT(error_after_square(face), HasSubstr("more than 1000 corners; split it"));
 }
 
 TEST(ObjReaderRefuses, ARepeatedCorner) {

@@ -131,5 +131,15 @@ TEST(Arc, EdgesWithoutLengthGiveNothing) {
   EXPECT_EQ(edge_term(a, {-a.x, -a.y, -a.z}, n), 0);
 }
 
+// The bisector is then what rounding has left of a sum, and may point away from both.
+TEST(Arc, NearlyOppositeDirectionsGiveAtMostAHalfTurn) {
+  const Vec3 a = {kArcOne, 0, 0}, n = {0, 0, kArcOne};
+  for (int x = -3; x <= 3; ++x) {
+    for (int y = -3; y <= 3; ++y) {
+      ASSERT_LE(std::abs(std::ldexp(edge_term(a, {-kArcOne + x, y, 0}, n), -kAngleBits)), kPi + 1e-6);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace fixrad::host

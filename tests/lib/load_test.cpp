@@ -52,6 +52,7 @@ TEST(CheckScene, RefusesMoreThanTheStorageHolds) {
 
 TEST(CheckScene, RefusesChannelCounts) {
   EXPECT_EQ(status_after([](DeviceScene& s) { s.channels = 0; }), Status::bad_channel_count);
+  EXPECT_EQ(status_after([](DeviceScene& s) { s.channels = 2; }), Status::bad_channel_count);
   EXPECT_EQ(status_after([](DeviceScene& s) { s.channels = 4; }), Status::bad_channel_count);
   DeviceScene rgb = valid_scene();
   rgb.channels = 3;

@@ -67,6 +67,14 @@ TEST(RayCoordinates, AreStratifiedInEveryCoordinateAndInBeginAndEnd) {
   }
 }
 
+TEST(AreaPoints, OfAnElementThatCutsHaveLeftNothingOfLieOnTheGrid) {
+  Polygon polygon = {};
+  for (polygon.count = 0; polygon.count < 3; ++polygon.count) {
+    const Vec3 point = AreaPoints(polygon).at(0x8000, 0xffff);
+    EXPECT_EQ(max_magnitude(point), 0u) << polygon.count << " corners, all at the origin";
+  }
+}
+
 TEST(AreaPoints, FallOnEveryHalfOfAPolygonByItsArea) {
   const std::vector<Polygon> polygons = {
       polygon_of({{0, 0, 0}, {6400, 0, 0}, {6400, 6400, 0}, {0, 6400, 0}}),

@@ -222,5 +222,35 @@ TEST(FaceMeans, GiveAFaceWithoutElementsItsOwnEmission) {
   EXPECT_EQ(face_means(model, meshed.device.overlaps, field).back(), glm::dvec3(1.0));
 }
 
+TEST(Prepare, RefusesASceneWhoseLampHasNoAreaOnTheGrid) {
+  ModelBuilder builder;
+  const std::uint32_t wall = builder.material(glm::dvec3(0.5));
+  const std::uint32_t lamp = builder.material(glm::dvec3(0.5), glm::dvec3(1.0));
+  builder.room(glm::dvec3(0.0), glm::dvec3(1e6), {wall, wall, wall, wall, wall, wall});
+  builder.polygon({{1, 1, 1}, {2, 1, 1}, {2, 2, 1}}, lamp);
+  const Model model = builder.model();
+  EXPECT_THROW(prepare(model), InputError);
+}
+
+// Seven corners within a grid unit of a line: the face that they bound must keep axes that span it.
+TEST(Prepare, GivesASliverAFrameThatTheCoreTakes) {
+  const double e = 1.0 / kGridMax;
+  for (const double width : {0.3, 0.6, 1.0, 1.6, 2.5}) {
+    ModelBuilder builder;
+    const std::uint32_t lamp = builder.material(glm::dvec3(0.5), glm::dvec3(1.0));
+    builder.room(glm::dvec3(0.0), glm::dvec3(1.0), {lamp, lamp, lamp, lamp, lamp, lamp});
+    builder.polygon({{0.2, 0.5, 0.5},
+                     {0.3, 0.5, 0.5},
+                     {0.4, 0.5, 0.5},
+                     {0.4, 0.5 + width * e, 0.5 + width * e},
+                     {0.2, 0.5 + width * e, 0.5 + width * e}},
+                    lamp);
+    const Model model = builder.model();
+    const PreparedScene scene = prepare(model);
+    const DeviceScene device = make_device_scene(scene, make_uniform(scene, 50, 50));
+    EXPECT_EQ(check_scene(device.view(), {65535, 65535, 65535, 3}), Status::ok) << width;
+  }
+}
+
 }  // namespace
 }  // namespace fixrad::host

@@ -75,5 +75,30 @@ TEST(Quantise, RefusesASceneWithoutExtent) {
   EXPECT_THROW(quantise(Model()), InputError);
 }
 
+TEST(Quantise, RefusesASceneWhoseScaleHasNoSquare) {
+  Model model = cube(0.5, {1, 0, 0, 0, 0, 0});
+  for (glm::dvec3& p : model.positions) {
+    p *= 1e-200;
+  }
+  EXPECT_THROW(quantise(model), InputError);
+}
+
+TEST(Quantise, NamesTheFaceThatBringsTooManyVertices) {
+  Model model = cube(0.5, {1, 0, 0, 0, 0, 0});
+  for (std::uint32_t i = 0; i < 65535; ++i) {
+    model.positions.emplace_back((i % 256) / 256.0, (i / 256) / 256.0, 0.5);
+    Face face = {{0, 1, static_cast<std::uint32_t>(model.positions.size() - 1)}};
+    face.line = static_cast<int>(i);
+    model.faces.push_back(face);
+  }
+  try {
+    quantise(model);
+    ADD_FAILURE() << "the core numbers vertices in 16 bits";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "test:65527: error: this face brings the vertices to more than 65535; simplify the scene");
+  }
+}
+
 }  // namespace
 }  // namespace fixrad::host
