@@ -116,13 +116,19 @@ bool is_before_passes(const State& state, const SavedHeader& h) {
          h.flags == kHasShot && h.threshold == 0;
 }
 
+// A pass that has turned to larger sources is still to start.
+bool are_possible_flags(const State& state, const SavedHeader& h) {
+  return h.flags <= kHasShot || (h.flags == (kHasShot | kGrows) && h.cursor == state.scene.element_count &&
+                                 h.kind != static_cast<uint8_t>(SourceKind::element));
+}
+
 // A threshold is at most the magnitudes of three channels, or 4 rows' worth.
 constexpr uint64_t kMostThreshold = static_cast<uint64_t>(1) << 37;
 
 bool is_possible_sweep(const State& state, const SavedHeader& h) {
   return h.next_emitter <= state.scene.element_count &&
          (h.next_emitter == state.scene.element_count || is_before_passes(state, h)) &&
-         is_at_a_source(state, h) && h.flags <= (kHasShot | kGrows) && h.turn < kTurns &&
+         is_at_a_source(state, h) && are_possible_flags(state, h) && h.turn < kTurns &&
          h.threshold <= kMostThreshold;
 }
 
