@@ -24,7 +24,8 @@ from call_graph import INDIRECT_CALL, Function, Refused, demangled, read_ci
 # Functions that work pair by pair keep polygons on the stack, 2.6 KB in all: chips of 16 KB and less have none for
 # them, and the programs of the project do not name them.
 NEAR_FIELD = ("correct_near_field",)
-PAIRS = ("ray_row", "contour_row", "add_faces", "add_face_elements", "add_pairs") + NEAR_FIELD
+DIRECT_LIGHT = ("correct_direct_light",)
+PAIRS = ("ray_row", "contour_row", "add_faces", "add_face_elements", "add_pairs") + NEAR_FIELD + DIRECT_LIGHT
 # A picture has highlights only where its scene names the function for them; an ATmega2560's does not.
 HIGHLIGHTS = ("add_highlights",)
 ENGINES = ("hemicube_rows", "lune_rows", "hemicube_pixels", "ray_row", "contour_row")
@@ -36,7 +37,7 @@ INDIRECT = (
     *((name, ENGINES) for name in ("look", "look_from_centroid", "look_from_whole", "look_from_drawn", "look_from_chosen",
                                    "do_stage", "go_on_with_source", "sample_element")),
     ("sample_matrix_row", ENGINES + NEAR_FIELD),
-    ("gather_irradiance", ROWS),
+    ("gather_irradiance", ROWS + DIRECT_LIGHT),
     *((name, ()) for name in ("begin_row", "begin_source", "begin_if_strong", "begin_emission", "begin_reflection",
                               "begin_shot", "report_shot", "book_shot")),
     # An engine is identified by what it does; where a saved state goes to and comes from is the firmware's.
