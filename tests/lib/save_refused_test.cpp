@@ -259,7 +259,7 @@ TEST(Refused, NumbersOutOfRangeUnderARightChecksum) {
   for (const int shots : {kSome, kAll}) {
     Grey pair = grey_pair(shots);
     const Scene& scene = pair.saver->state().scene;
-    for (const std::uint64_t channels : {0, 2, 3, 4, 255}) {
+    for (const std::uint64_t channels : {0u, 2u, 3u, 4u, 255u}) {
       expect_inconsistent(pair, kChannels, 1, channels);
     }
     expect_inconsistent(pair, kKind, 1, 3);
@@ -269,7 +269,7 @@ TEST(Refused, NumbersOutOfRangeUnderARightChecksum) {
     expect_inconsistent(pair, kCursor, 2, 0xffff);
     expect_inconsistent(pair, kCursor, 2, scene.element_count + 1u);
     expect_inconsistent(pair, kTurn, 1, kTurns);
-    for (const std::uint64_t flags : {2, 4, 0x80}) {
+    for (const std::uint64_t flags : {2u, 4u, 0x80u}) {
       expect_inconsistent(pair, kFlags, 1, flags);
     }
     if (shots == kSome) {  // in the middle of a pass
