@@ -43,7 +43,7 @@ class Session {
   }
 
   void call() {
-    switch (in_.ConsumeIntegralInRange(0, 11)) {
+    switch (in_.ConsumeIntegralInRange(0, 12)) {
       case 0:
         (void)load();
         break;
@@ -67,6 +67,9 @@ class Session {
         break;
       case 7:
         refuse_bad_scene();
+        break;
+      case 8:
+        (void)solver_.step(in_.ConsumeIntegral<std::uint8_t>());
         break;
       default:
         (void)solver_.step();
@@ -112,8 +115,8 @@ class Session {
       a = Radiosity::from_raw(in_.ConsumeIntegral<std::uint32_t>());
     }
     VertexLight light;
-    (void)gather_vertex(solver_.state(), table(), points, 2, in_.ConsumeIntegralInRange<std::uint8_t>(1, 2),
-                        ambient, light);
+    (void)gather_vertex(solver_.state(), table(), in_.ConsumeBool() ? correct_direct_light : nullptr, points,
+                        2, in_.ConsumeIntegralInRange<std::uint8_t>(1, 2), ambient, light);
   }
 
   void read_out() {
