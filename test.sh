@@ -77,8 +77,7 @@ done
 
 part "clang-format" scripts/check_format.sh
 part "sample scenes" python3 -B scripts/make_scenes.py --check
-part "build the core (clang)" build_folders host-clang lib tests/lib
-part "tests of the core (clang)" test_folder host-clang lib
+part "configure (clang)" configure host-clang
 part "what must not compile (clang)" test_folder host-clang nocompile
 part "build the core and the reader (sanitizers)" build_folders host-sanitize lib tests/lib tests/io
 part "tests of the core (sanitizers)" test_folder host-sanitize lib

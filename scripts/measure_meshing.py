@@ -31,8 +31,8 @@ from measure_accuracy import ROOT, Failure, Refusal, Tool, write
 POINTS = 1000
 PROFILE = "large"
 TABLE_ELEMENTS = 250
-POINT_PATHS = 32768  # the truth's own error is then below a fifth of what is measured
 CURVES = ("cornell", "small_lamp", "shadow_room")
+POINT_PATHS, CURVE_PATHS = 4096, 32768  # the truth's own error is to be small against that of the finest mesh
 CURVE_ELEMENTS = (60, 125, 250, 500, 1000)
 STAGES = (145, 1021, 1306)  # of the lecture's slides: coarse, fine and adaptive
 STAGE_SCENE = "scenes/cornell.obj"
@@ -63,18 +63,22 @@ class MeshTool(Tool):
     def show_options(self):
         return ["--show", "mesh"] if "--show " in self("bake", "--help") else []
 
+    @staticmethod
+    def paths(scene):
+        return CURVE_PATHS if pathlib.Path(scene).stem in CURVES else POINT_PATHS
+
     def points_truth(self, scene):
         key = hashlib.sha256()
         for path in (ROOT / scene, (ROOT / scene).with_suffix(".mtl")):
             key.update(path.read_bytes() if path.exists() else b"")
-        return self.folder / f"points{POINT_PATHS}_{pathlib.Path(scene).stem}_{key.hexdigest()[:16]}.json"
+        return self.folder / f"points{self.paths(scene)}_{pathlib.Path(scene).stem}_{key.hexdigest()[:16]}.json"
 
     def measure(self, scene, kind, elements, truth):
         """A Run, or why there is none."""
         options = ["--profile", PROFILE, "--elements", elements, *self.mesh_options(kind)]
         try:
             files = self.files("compare", scene, [("--json", ".json")], *options, "--points", POINTS, "--points-paths",
-                               POINT_PATHS, "--points-only", "--points-truth", self.points_truth(scene))
+                               self.paths(scene), "--points-only", "--points-truth", self.points_truth(scene))
             record = json.loads(files[0].read_text())
             faces, _ = self.bake(scene, *options)
         except Refusal as refusal:

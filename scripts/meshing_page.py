@@ -17,7 +17,7 @@ HEAD = """# Meshes, and what one looks at
 
 Made by `scripts/measure_meshing.py`; do not edit. Tool: `build/host/fixrad` of the same tree, profile large.
 
-    build/host/fixrad compare SCENE --elements N --points 1000 --points-paths 32768 --points-only
+    build/host/fixrad compare SCENE --elements N --points 1000 --points-only [--points-paths 32768]
 
 Irradiance at 1,000 points of surfaces that reflect and do not emit, spread evenly by area, against path-traced truth.
 Points in or under something are left out: nobody sees them. The **error** is the sum of |difference| over the sum of
