@@ -12,7 +12,7 @@ namespace fixrad {
 /// rounds down, by less than 1/2048 of the flux.
 constexpr int kShortFluxBits = 11;
 
-inline uint32_t long_flux(uint16_t a) {
+FIXRAD_MODULO inline uint32_t long_flux(uint16_t a) {
   const unsigned exponent = a >> kShortFluxBits;
   const uint32_t mantissa = a & ((1u << kShortFluxBits) - 1u);
   return exponent == 0 ? mantissa : (mantissa | static_cast<uint32_t>(1) << kShortFluxBits) << (exponent - 1);

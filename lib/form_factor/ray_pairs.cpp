@@ -29,7 +29,7 @@ bool RayPairs::is_near(uint16_t index) const {
   return distance2 < 4 * ((element.area > own ? element.area : own) / 8);
 }
 
-uint32_t RayPairs::free_rays(uint16_t slot, const Polygon& target) {
+FIXRAD_MODULO uint32_t RayPairs::free_rays(uint16_t slot, const Polygon& target) {
   const uint32_t pair =
       slot ^ (static_cast<uint32_t>(cells_.element) << 16) ^ (sample_.eye.turn * 0x9e3779b9ul);
   return source_.free_rays(target, log2_, pair, blockers_);

@@ -40,7 +40,7 @@ constexpr uint16_t kBackSlot = 0xfffe;
 class RowWriter {
  public:
   /// Goes on where an earlier one has come to `sum`: what that one's cutter had left over follows from it.
-  RowWriter(FormFactorRow& row, uint32_t weight, uint32_t sum = 0)
+  FIXRAD_MODULO RowWriter(FormFactorRow& row, uint32_t weight, uint32_t sum = 0)
       : row_(row),
         cutter_(weight, (weight * sum + kRowOne / 2) & (kRowOne - 1)),
         sum_(sum),

@@ -30,8 +30,8 @@ class StateReader {
     for (uint8_t i = 0; i < count; ++i) {
       checksum_.add(bytes[i]);
     }
-    for (uint8_t i = count; i-- > 0;) {
-      value = value << 8 | bytes[i];
+    for (uint8_t i = count; i > 0; --i) {
+      value = value << 8 | bytes[i - 1];
     }
     return value;
   }

@@ -30,7 +30,7 @@ struct SlotChoice {
 SlotChoice choose_slot(const State& state, const Identity& identity, const StateSource (&slots)[2]);
 
 /// The choice once `choice.next` has been written completely; without reading anything.
-inline SlotChoice after_saving(const SlotChoice& choice) {
+FIXRAD_MODULO inline SlotChoice after_saving(const SlotChoice& choice) {
   return {choice.next, static_cast<uint8_t>(1 - choice.next), choice.sequence + 1};
 }
 

@@ -319,7 +319,7 @@ Status shoot(State& state) {
   return go_on(state);
 }
 
-Status shoot_for(State& state, uint32_t budget) {
+FIXRAD_MODULO Status shoot_for(State& state, uint32_t budget) {
   state.work.budget = budget == 0 ? 2 : budget + 1;  // the most there is stands for no limit
   const Status status = go_on(state);
   state.work.budget = 0;

@@ -130,7 +130,7 @@ bool plan_amount(const State& state, const EyeSource& source, Flux* amount) {
   return is_any;
 }
 
-void book_sent(State& state, const EyeSource& source, Flux* amount) {
+FIXRAD_MODULO void book_sent(State& state, const EyeSource& source, Flux* amount) {
   for (int c = 0; c < state.scene.channels; ++c) {
     int32_t flux = 0;
     if (source.kind == SourceKind::face) {
@@ -157,7 +157,9 @@ void group_by_face(State& state) {
       sums[f] = 0;
     }
     for (uint16_t e = 0; e < scene.element_count; ++e) {
-      sums[flash_at(scene.elements, e).face] += static_cast<uint32_t>(element_unshot(state, e, c));
+      uint32_t& sum = sums[flash_at(scene.elements, e).face];
+      // Negative where an element has lent: modulo 2^32, which compilers make of it.
+      sum = static_cast<uint32_t>(uint64_t{sum} + static_cast<uint32_t>(element_unshot(state, e, c)));
     }
     for (uint16_t f = 0; f < scene.face_count; ++f) {
       account[f] = static_cast<int32_t>(sums[f]);
@@ -210,7 +212,8 @@ void make_room(State& state, uint16_t parent) {
   }
   for (int c = state.scene.channels - 1; c >= 0; --c) {
     const int32_t* from = state.accounts + static_cast<uint32_t>(c) * before;
-    for (uint16_t e = count; e-- > 0;) {
+    for (uint16_t e = count; e > 0;) {
+      --e;
       const uint16_t source = e > parent ? static_cast<uint16_t>(e - 1) : e;
       set_sent(state, e, c, half_of(from, source));
     }
