@@ -14,11 +14,23 @@ function(fixrad_compile_options target)
   endif()
 endfunction()
 
-# fixrad_light(target...): what only calls the work, tests and the command line, is not worth a third of all build time.
+# fixrad_light(target...): what only calls the work, tests and the command line, is not worth a third of all build time; under
+# sanitizers half of that.
 function(fixrad_light)
   foreach(target ${ARGN})
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> $<$<CXX_COMPILER_ID:GNU>:-fno-lto>)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> $<$<CONFIG:RelWithDebInfo>:-O0>)
   endforeach()
+endfunction()
+
+# fixrad_test_headers(target): what every test includes, parsed once, with the first of them.
+function(fixrad_test_headers target)
+  get_property(first GLOBAL PROPERTY FIXRAD_FIRST_TEST)
+  if(first)
+    target_precompile_headers(${target} REUSE_FROM ${first})
+  else()
+    target_precompile_headers(${target} PRIVATE <gmock/gmock.h> <gtest/gtest.h>)
+    set_property(GLOBAL PROPERTY FIXRAD_FIRST_TEST ${target})
+  endif()
 endfunction()
 
 # fixrad_test(NAME SOURCES files... LINK targets...): one GoogleTest executable, one ctest entry per TEST.
@@ -33,16 +45,12 @@ function(fixrad_test name)
   fixrad_light(${name})
   target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gmock GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE FIXRAD_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  fixrad_test_headers(${name})
   gtest_discover_tests(${name} NO_PRETTY_VALUES PROPERTIES TIMEOUT 300 DISCOVERY_TIMEOUT 60)
 endfunction()
 
-# fixrad_whole_program(target...): optimise across files where the final link asks for it too. Fat objects keep the
-# libraries usable for links that do not.
+# fixrad_whole_program(target...): each of these libraries as one translation unit, which shows the compiler the small
+# functions that one stage calls of another.
 function(fixrad_whole_program)
-  if(FIXRAD_WHOLE_PROGRAM AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT FIXRAD_SANITIZE)
-    foreach(target ${ARGN})
-      set_target_properties(${target} PROPERTIES INTERPROCEDURAL_OPTIMIZATION ON)
-      target_compile_options(${target} PRIVATE -ffat-lto-objects)
-    endforeach()
-  endif()
+  set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ${FIXRAD_WHOLE_PROGRAM} UNITY_BUILD_BATCH_SIZE 0)
 endfunction()

@@ -14,10 +14,6 @@ constexpr double kGap = 1.0 / 1024;    // of a closed scene, that contour_row() 
 constexpr double kRayGap = 1.0 / 256;  // the same of ray_row()
 constexpr int kLostRows = 16;          // lunes that measure what reaches no front
 
-glm::dvec3 to_double(const Vec3& a) {
-  return {a.x, a.y, a.z};
-}
-
 double weight_of(const RecordedEye& eye) {
   return static_cast<double>(eye.sample.weight) / kRowOne;
 }

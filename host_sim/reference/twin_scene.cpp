@@ -7,10 +7,6 @@
 namespace fixrad::host {
 namespace {
 
-glm::dvec3 to_double(Vec3 v) {
-  return {v.x, v.y, v.z};
-}
-
 // Newell's normal: the mean plane of a polygon whose corners have been rounded.
 glm::dvec3 polygon_normal(const TwinScene& twin, const TwinFace& face) {
   glm::dvec3 sum(0.0);

@@ -37,6 +37,10 @@ struct TwinScene {
   std::size_t element_count() const { return element_area.size(); }
 };
 
+inline glm::dvec3 to_double(const Vec3& a) {
+  return {a.x, a.y, a.z};
+}
+
 /// Copies `scene`, which check_scene() must accept. Cost: linear.
 TwinScene make_twin_scene(const Scene& scene);
 
