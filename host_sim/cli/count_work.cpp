@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // count_work SCENE OPTIONS...: solves as `fixrad bake` with these options does and prints the digest and the
 // steps that the solution took as JSON, for scripts/fit_costs.py.
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 #include <memory>

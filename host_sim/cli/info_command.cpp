@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "host_sim/cli/info_page.h"
 #include "host_sim/cli/search_options.h"
@@ -46,21 +47,6 @@ WantedError search(const CommonOptions& options, const PreparedScene& scene, dou
 }
 
 }  // namespace
-
-void add_info_options(CLI::App& command, CommonOptions& options, InfoOptions& info) {
-  std::vector<std::string> targets;
-  for (const CostModel& model : cost_models()) {
-    targets.push_back(model.target);
-  }
-  command.add_option("--target", info.target, "Core whose instructions count (default: the profile's chip)")
-      ->check(CLI::IsMember(targets));
-  command
-      .add_option("--max-error", info.max_error_percent,
-                  "Look for the elements that keep the mean error over faces to this, in per cent; takes "
-                  "seconds to minutes")
-      ->check(CLI::Range(0.01, 100.0, "PERCENT"));
-  command.add_option("--json", options.json, "Write the figures to this file too");
-}
 
 int run_info(const CommonOptions& options, const InfoOptions& info) {
   check_folder(options.json);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "host_sim/cli/info_page.h"
 
+#include <nlohmann/json.hpp>
+
 namespace fixrad::host {
 namespace {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host_sim/cli/options.h"
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 
 namespace fixrad::host {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "host_sim/bake/bake.h"
 #include "host_sim/bake/display.h"
+#include "host_sim/cli/cli_app.h"
 #include "host_sim/cli/picture_options.h"
 #include "host_sim/io/obj_reader.h"
 #include "host_sim/report/baked_mesh.h"

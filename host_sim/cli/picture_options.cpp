@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "host_sim/cli/picture_options.h"
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <vector>
 

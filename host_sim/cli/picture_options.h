@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
+#include "host_sim/cli/cli_app.h"
 #include "host_sim/report/camera.h"
 #include "host_sim/report/picture.h"
 

@@ -3,8 +3,10 @@
 
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "host_sim/cli/info_page.h"
 #include "host_sim/report/text.h"
 
 namespace fixrad::host {
@@ -37,6 +39,21 @@ void Counter::next(const BakeOptions& setting) {
                  setting.engine.c_str(), setting.profile.c_str(), setting.elements.value_or(0), seconds);
   }
   ++done_;
+}
+
+void add_info_options(CLI::App& command, CommonOptions& options, InfoOptions& info) {
+  std::vector<std::string> targets;
+  for (const CostModel& model : cost_models()) {
+    targets.push_back(model.target);
+  }
+  command.add_option("--target", info.target, "Core whose instructions count (default: the profile's chip)")
+      ->check(CLI::IsMember(targets));
+  command
+      .add_option("--max-error", info.max_error_percent,
+                  "Look for the elements that keep the mean error over faces to this, in per cent; takes "
+                  "seconds to minutes")
+      ->check(CLI::Range(0.01, 100.0, "PERCENT"));
+  command.add_option("--json", options.json, "Write the figures to this file too");
 }
 
 void add_sweep_options(CLI::App& command, CommonOptions& options, Choices& choices) {
