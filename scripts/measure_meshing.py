@@ -108,7 +108,7 @@ def ratios(curves):
                 continue
             run = at[-1]
             other = min(kinds[worse], key=lambda r: abs(math.log(r.elements / run.elements)))
-            for display in meshing_page.DISPLAYS:
+            for display in meshing_page.COMPARED:
                 error = run.points[display]["mean"]
                 found.append((scene, display, better, worse, run.elements,
                               elements_for(kinds[worse], error, display), other.points[display]["mean"] / error))

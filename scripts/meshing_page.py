@@ -5,13 +5,16 @@ import math
 
 from accuracy_page import per_cent, table
 
-DISPLAYS = {"flat": "flat elements", "mean": "mean round each vertex", "gather": "gather at each vertex",
+DISPLAYS = {"flat": "flat elements", "mean": "mean round each vertex", "corners": "gather at each corner",
+            "gather": "gather at each vertex",
             "at the point": "gather at the point"}
 POINT_BAR = 0.05
 # (better kind, worse kind): what the better one promises.
 RATIO_BARS = {("adaptive", "uniform"): 1.8, ("discontinuity", "adaptive"): 1.5}
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7")  # told apart by the colour-blind too (Okabe & Ito)
-DASHES = {"gather": "", "flat": ' stroke-dasharray="6 4"'}
+DASHES = {"gather": "", "corners": ' stroke-dasharray="6 4"'}
+SHORT = {"gather": "vertices", "corners": "corners"}
+COMPARED = ("corners", "gather", "at the point")  # by what a better mesh is judged
 
 HEAD = """# Meshes, and what one looks at
 
@@ -21,12 +24,13 @@ Made by `scripts/measure_meshing.py`; do not edit. Tool: `build/host/fixrad` of 
 
 Irradiance at 1,000 points of surfaces that reflect and do not emit, spread evenly by area, against path-traced truth.
 Points in or under something are left out: nobody sees them. The **error** is the sum of |difference| over the sum of
-irradiance, all points and channels. Irradiance is told in four ways, all from the same solution:
+irradiance, all points and channels. Irradiance is told in five ways, all from the same solution:
 
 - *flat elements*: radiosity of the element, less its emission, over its reflectance;
 - *mean round each vertex*: interpolated between vertex colours that are the mean of the elements that meet there;
-- *gather at each vertex*: between vertex colours that were gathered from all elements by the core's own hemisphere, on
-  triangles that are cut where the gathered light bends: what `fixrad bake` writes;
+- *gather at each corner*: between vertex colours that were gathered from all elements by the core's own hemisphere, at
+  the corners of the elements and nowhere else (`--display-edge 1`): here the mesh itself is what one looks at;
+- *gather at each vertex*: the same on triangles that are cut where the gathered light bends: what `fixrad bake` writes;
 - *gather at the point*: the same hemisphere at each of the 1,000 points. Interpolation can hardly be better.
 """
 
@@ -170,7 +174,7 @@ def plot(name, kinds):
         text += "".join(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3.5" fill="{colour}"/>' for x, y in spots) + "\n"
         at, down = axes.width - axes.right + 14, axes.top + 16 + 22 * line
         text += (f'<line x1="{at}" x2="{at + 28}" y1="{down}" y2="{down}" stroke="{colour}" stroke-width="2"'
-                 f'{DASHES[display]}/><text x="{at + 34}" y="{down + 4}">{kind}, {DISPLAYS[display].split(" at ")[0]}</text>\n')
+                 f'{DASHES[display]}/><text x="{at + 34}" y="{down + 4}">{kind}, {SHORT[display]}</text>\n')
     bar = axes.y(POINT_BAR)
     text += (f'<line x1="{axes.left}" x2="{axes.width - axes.right}" y1="{bar:.1f}" y2="{bar:.1f}" stroke="#444" '
              f'stroke-dasharray="2 3"/><text x="{axes.left + 6}" y="{bar - 5:.1f}">bar: 5 %</text>\n')

@@ -17,7 +17,7 @@
 namespace fixrad::host {
 namespace {
 
-constexpr double kBend = 1.0 / 30;
+constexpr double kBend = 1.0 / 60;
 constexpr std::size_t kBatch = 256;  // gathers between two questions whether to go on
 constexpr int kBuriedCuts = 2;  // cuts of an edge of which both ends are buried: something may lie between
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "host_sim/bake/clock.h"
 #include "host_sim/bake/point_gatherer.h"
@@ -126,11 +127,14 @@ PointBudget measure_points(const LoadedScene& scene, const CommonOptions& option
   };
   add("flat", "each element in one colour", flat_elements(points, elements, result), 0);
   add("mean", "vertex colours: the mean round each vertex", vertex_colours(points, result), 0);
-  BakeResult displayed = result;
-  gather_display(displayed, options.display_mesh);
-  budget.vertices = displayed.surface.positions.size();
-  add("gather", "vertex colours: a gather at each vertex", vertex_colours(points, displayed),
-      displayed.display_seconds);
+  const auto add_display = [&](const char* name, const char* what, const DisplayOptions& mesh) {
+    BakeResult displayed = result;
+    gather_display(displayed, mesh);
+    add(name, what, vertex_colours(points, displayed), displayed.display_seconds);
+    return displayed.surface.positions.size();
+  };
+  add_display("corners", "vertex colours: a gather at each corner of an element", {kCornersOnly});
+  budget.vertices = add_display("gather", "vertex colours: a gather at each vertex", options.display_mesh);
   const Clock gathering;
   const Values at_points = gathered(points, elements, result);
   add("at the point", "a gather at each of the points themselves", at_points, gathering.seconds());

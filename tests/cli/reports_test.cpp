@@ -74,18 +74,18 @@ TEST(Compare, MeasuresIrradianceAtPointsAndKeepsTheTruth) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto points = nlohmann::json::parse(contents(folder / "errors.json"))["points"];
   EXPECT_EQ(points["count"], 64);
-  const char* names[] = {"flat", "mean", "gather", "at the point"};
-  ASSERT_EQ(points["errors"].size(), 4u);
-  for (std::size_t k = 0; k < 4; ++k) {
+  const char* names[] = {"flat", "mean", "corners", "gather", "at the point"};
+  ASSERT_EQ(points["errors"].size(), 5u);
+  for (std::size_t k = 0; k < 5; ++k) {
     EXPECT_EQ(points["errors"][k]["name"], names[k]);
     EXPECT_THAT(run.out, HasSubstr("\n  " + std::string(names[k]) + " "));
   }
-  EXPECT_LE(points["errors"][2]["mean"].get<double>(), 0.02);
+  EXPECT_LE(points["errors"][3]["mean"].get<double>(), 0.02);
   const std::string truth = contents(folder / "truth.json");
   ASSERT_EQ(run_tool(command).exit_code, 0);
   EXPECT_EQ(contents(folder / "truth.json"), truth);
   const auto again = nlohmann::json::parse(contents(folder / "errors.json"))["points"];
-  EXPECT_EQ(again["errors"][2]["mean"], points["errors"][2]["mean"]);
+  EXPECT_EQ(again["errors"][3]["mean"], points["errors"][3]["mean"]);
 }
 
 TEST(Compare, RefusesATruthOfOtherPoints) {
