@@ -24,8 +24,8 @@ struct DisplayOptions {
 /// surface, vertex_radiosity, display, display_seconds and display_digest change. The same bits on every
 /// machine, with any number of threads.
 /// @return false if `progress` said to stop; `result` is then as it was
-/// Cost: two to four views of 64 lunes a vertex, of which there are three to seven times as many as corners of
-/// elements.
+/// Cost: two to four views of 64 lunes a vertex, of which there are three to seven times as many as corners
+/// of elements.
 bool gather_display(BakeResult& result, const DisplayOptions& options = {}, const Progress& progress = {});
 
 }  // namespace fixrad::host

@@ -29,7 +29,8 @@ struct PointBudget {
 
 /// Compares `result` (of bake(), not displayed yet) at options.points points: flat elements, vertex colours
 /// by the mean, by gathers at the corners of elements and at all displayed vertices, and a gather at each
-/// point. options.points_truth: where the truth is read from if the file exists, else written to. Throws InputError if that file is of another scene.
+/// point. options.points_truth: where the truth is read from if the file exists, else written to. Throws
+/// InputError if that file is of another scene.
 PointBudget measure_points(const LoadedScene& scene, const CommonOptions& options, const BakeResult& result);
 
 /// As text on stdout, and for the .json.

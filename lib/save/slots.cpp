@@ -15,7 +15,8 @@ __attribute__((noinline)) bool sequence_in(const State& state, const Identity& i
 
 }  // namespace
 
-FIXRAD_MODULO SlotChoice choose_slot(const State& state, const Identity& identity, const StateSource (&slots)[2]) {
+FIXRAD_MODULO SlotChoice choose_slot(const State& state, const Identity& identity,
+                                     const StateSource (&slots)[2]) {
   uint32_t sequence[2] = {0, 0};
   const bool has_first = sequence_in(state, identity, slots[0], sequence[0]);
   const bool has_second = sequence_in(state, identity, slots[1], sequence[1]);
