@@ -11,6 +11,7 @@
 
 #include "host_sim/bake/clock.h"
 #include "host_sim/bake/point_gatherer.h"
+#include "host_sim/io/model.h"
 #include "host_sim/meshing/gather_points.h"
 #include "host_sim/meshing/surface_edges.h"
 
@@ -20,10 +21,6 @@ namespace {
 constexpr double kBend = 1.0 / 60;
 constexpr std::size_t kBatch = 256;  // gathers between two questions whether to go on
 constexpr int kBuriedCuts = 2;  // cuts of an edge of which both ends are buried: something may lie between
-
-double sum(glm::dvec3 a) {
-  return a.x + a.y + a.z;
-}
 
 using Ends = std::pair<std::uint32_t, std::uint32_t>;
 
@@ -96,7 +93,7 @@ class DisplayBuilder {
       const double of_triangle = glm::length(glm::cross(mesh_.positions[t[1]] - mesh_.positions[t[0]],
                                                         mesh_.positions[t[2]] - mesh_.positions[t[0]]));
       for (const std::uint32_t v : t) {
-        light += of_triangle * sum(irradiance(lights_[v]));
+        light += of_triangle * channel_sum(irradiance(lights_[v]));
         area += of_triangle;
       }
     }
@@ -167,7 +164,7 @@ class DisplayBuilder {
     }
     const glm::dvec3 here = irradiance(middle);
     const glm::dvec3 off = here - 0.5 * (irradiance(lights_[edge.a]) + irradiance(lights_[edge.b]));
-    return std::abs(off.x) + std::abs(off.y) + std::abs(off.z) > 0.5 * kBend * (sum(here) + mean_);
+    return std::abs(off.x) + std::abs(off.y) + std::abs(off.z) > 0.5 * kBend * (channel_sum(here) + mean_);
   }
 
   std::vector<VertexLight> with_neighbours() const {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "host_sim/io/model.h"
 #include "host_sim/report/automatic_camera.h"
 #include "host_sim/report/legend.h"
 
@@ -12,17 +13,13 @@ namespace {
 constexpr double kDark = 0.1;
 constexpr double kScalePart = 0.95;  // of the samples lie within the scale
 
-double sum(const glm::dvec3& radiosity) {
-  return radiosity.x + radiosity.y + radiosity.z;
-}
-
 }  // namespace
 
 double dark_floor(const BakedMesh& mesh) {
   double light = 0, area = 0;
   for (const BakedElement& element : mesh.elements) {
     if (!element.lamp) {
-      light += element.area * sum(element.radiosity);
+      light += element.area * channel_sum(element.radiosity);
       area += element.area;
     }
   }
@@ -35,8 +32,9 @@ std::vector<ErrorPolygon> face_error_polygons(const LoadedScene& scene, const Tr
       face_means(scene.model, result.device.overlaps, result.element_radiosity);
   std::vector<ErrorPolygon> polygons;
   for (const MeshElement& element : result.device.mesh.elements) {
-    const double right = sum(truth.means[element.input_face]);
-    polygons.push_back({element.polygon, (sum(means[element.input_face]) - right) / std::max(right, floor)});
+    const double right = channel_sum(truth.means[element.input_face]);
+    polygons.push_back(
+        {element.polygon, (channel_sum(means[element.input_face]) - right) / std::max(right, floor)});
   }
   return polygons;
 }

@@ -29,10 +29,6 @@ void exit_now(int) {
   _exit(kInterrupted);
 }
 
-double brightness(glm::dvec3 b) {
-  return b.x + b.y + b.z;
-}
-
 // How far a point of its plane lies outside a convex element; negative inside.
 double distance_outside(const MeshElement& element, const glm::dvec3& point) {
   double most = -std::numeric_limits<double>::infinity();
@@ -215,7 +211,7 @@ std::vector<glm::dvec3> file_face_means(const Model& model, const std::vector<Ov
   std::vector<glm::dvec3> means = face_means(model, overlaps, element_radiosity);
   for (std::size_t f = model.file_faces; f < means.size(); ++f) {
     glm::dvec3& front = means[f - model.file_faces];
-    front = brightness(means[f]) > brightness(front) ? means[f] : front;
+    front = channel_sum(means[f]) > channel_sum(front) ? means[f] : front;
   }
   means.resize(model.file_faces);
   return means;

@@ -9,12 +9,11 @@ namespace {
 
 std::string csv(const Model& model, const std::vector<double>& areas, const Traced& truth) {
   std::string text = "face,material,emits,area,B_r,B_g,B_b,error_r,error_g,error_b\n";
-  const auto brightness = [](glm::dvec3 b) { return b.x + b.y + b.z; };
   for (std::size_t f = 0; f < model.file_faces; ++f) {
     // With --two-sided, the brighter side, as in `bake --faces-csv`.
     const std::size_t other = f + model.file_faces;
     const bool turned =
-        other < model.faces.size() && brightness(truth.mean[other]) > brightness(truth.mean[f]);
+        other < model.faces.size() && channel_sum(truth.mean[other]) > channel_sum(truth.mean[f]);
     const glm::dvec3 b = truth.mean[turned ? other : f], error = truth.standard_error[turned ? other : f];
     const Material& material = model.materials[model.faces[f].material];
     text += std::to_string(f) + "," + csv_field(material.name) +

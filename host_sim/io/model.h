@@ -17,6 +17,11 @@ class InputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Over red, green and blue of a reflectance, an exitance or a radiosity.
+inline double channel_sum(const glm::dvec3& a) {
+  return a.x + a.y + a.z;
+}
+
 /// A Lambertian material: light is transported by Kd and Ke alone. The rest is what pictures show of it
 /// beside diffuse light. Channels are red, green, blue.
 struct Material {

@@ -37,7 +37,7 @@ std::vector<Lamp> brightest_lamps(const PreparedScene& scene, std::size_t most) 
   std::vector<Lamp> lamps;
   for (std::uint32_t f = 0; f < scene.faces.size(); ++f) {
     const glm::dvec3 emission = scene.model->materials[scene.faces[f].material].emission;
-    const double exitance = (emission.x + emission.y + emission.z) / 3;
+    const double exitance = channel_sum(emission) / 3;
     if (exitance > 0) {
       lamps.push_back({f, exitance, area(scene.frames[f].outline) * scene.frames[f].unit_area()});
     }

@@ -77,7 +77,7 @@ DirectLight::DirectLight(const PreparedScene& scene, std::size_t most_lamps) {
     faces_.push_back(corners);
     normals_.push_back(scene.faces[f].normal);
     const glm::dvec3 emission = scene.model->materials[scene.faces[f].material].emission;
-    const double exitance = (emission.x + emission.y + emission.z) / 3;
+    const double exitance = channel_sum(emission) / 3;
     flux.push_back(exitance * area(scene.frames[f].outline) * scene.frames[f].unit_area());
     if (exitance > 0) {
       lamps_.push_back({f, exitance});

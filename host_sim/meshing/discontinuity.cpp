@@ -183,8 +183,8 @@ void Cutter::enter(std::uint32_t f, std::uint32_t e) {
     lit.samples.push_back(light_.sample(f, spread_point(outline(f, e), lit.drawn++)));
   }
   const glm::dvec3 reflectance = scene_.model->materials[scene_.faces[f].material].reflectance;
-  const double weight = (reflectance.x + reflectance.y + reflectance.z) / 3 * area(outline(f, e)) *
-                        scene_.frames[f].unit_area() / static_cast<double>(lit.samples.size());
+  const double weight = channel_sum(reflectance) / 3 * area(outline(f, e)) * scene_.frames[f].unit_area() /
+                        static_cast<double>(lit.samples.size());
   const double error = weight * light_.error_of(f, lit.border, lit.samples);
   lit.proposals.clear();
   for (std::vector<Line2d>& lines : possible_cuts(f, e)) {

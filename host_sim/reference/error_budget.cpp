@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_sim/io/model.h"
+
 namespace fixrad::host {
 namespace {
-
-double sum(glm::dvec3 a) {
-  return a.x + a.y + a.z;
-}
 
 double distance(glm::dvec3 a, glm::dvec3 b) {
   return std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z);
@@ -25,7 +23,7 @@ FaceMeanError compare_face_means(const std::vector<glm::dvec3>& a, const std::ve
   for (std::size_t f = 0; f < b.size(); ++f) {
     if (counts_all || !emits[f]) {
       error += areas[f] * distance(a[f], b[f]);
-      light += areas[f] * sum(b[f]);
+      light += areas[f] * channel_sum(b[f]);
       area += areas[f];
     }
   }
@@ -35,8 +33,8 @@ FaceMeanError compare_face_means(const std::vector<glm::dvec3>& a, const std::ve
   }
   result.mean = error / light;
   for (std::size_t f = 0; f < b.size(); ++f) {
-    if ((counts_all || !emits[f]) && areas[f] > 0 && sum(b[f]) >= 0.1 * light / area) {
-      const double of_face = distance(a[f], b[f]) / sum(b[f]);
+    if ((counts_all || !emits[f]) && areas[f] > 0 && channel_sum(b[f]) >= 0.1 * light / area) {
+      const double of_face = distance(a[f], b[f]) / channel_sum(b[f]);
       if (of_face >= result.worst) {
         result.worst = of_face;
         result.worst_face = f;

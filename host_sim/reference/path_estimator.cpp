@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "host_sim/io/model.h"
+
 namespace fixrad::host {
 namespace {
 
@@ -14,10 +16,6 @@ constexpr double kRouletteBelow = 0.5;
 /// With more of the area emitting than this, a path meets lamps by itself and looking for them only adds
 /// noise.
 constexpr double kMostlyLamps = 0.5;
-
-double sum(const glm::dvec3& v) {
-  return v.x + v.y + v.z;
-}
 
 /// A cosine-distributed direction about a unit normal, whose tangents follow from it without a branch on its
 /// size (T. Duff et al., JCGT 6(1), 2017).
@@ -85,16 +83,16 @@ void PathEstimator::find_lamps(const std::vector<MeshElement>& polygons) {
   double power = 0.0;
   for (std::uint32_t i = 0; i < polygons.size(); ++i) {
     total_area += polygons[i].area;
-    if (sum(polygons[i].emission) > 0.0) {
+    if (channel_sum(polygons[i].emission) > 0.0) {
       lamp_area += polygons[i].area;
-      power += polygons[i].area * sum(polygons[i].emission);
+      power += polygons[i].area * channel_sum(polygons[i].emission);
       lamps_.push_back({i, power, PolygonSampler(polygons[i].polygon)});
     }
   }
   asks_lamps_ = !lamps_.empty() && lamp_area < kMostlyLamps * total_area;
   if (asks_lamps_) {
     for (const Lamp& lamp : lamps_) {
-      surfaces_[lamp.surface].lamp_density = sum(polygons[lamp.surface].emission) / power;
+      surfaces_[lamp.surface].lamp_density = channel_sum(polygons[lamp.surface].emission) / power;
     }
   }
 }

@@ -11,6 +11,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "host_sim/io/model.h"
 #include "host_sim/reference/sobol.h"
 
 namespace fixrad::host {
@@ -114,10 +115,6 @@ Traced trace(const PathEstimator& estimator, const std::vector<Target>& targets,
   return result;
 }
 
-double sum(const glm::dvec3& v) {
-  return v.x + v.y + v.z;
-}
-
 /// Input faces as targets.
 struct Faces {
   std::vector<Target> targets;
@@ -192,13 +189,13 @@ std::vector<double> importance(const Faces& faces, const Traced& pilot) {
   double light = 0.0;
   double area = 0.0;
   for (std::size_t f = 0; f < faces.targets.size(); ++f) {
-    light += faces.targets[f].area() * sum(pilot.mean[f]);
+    light += faces.targets[f].area() * channel_sum(pilot.mean[f]);
     area += faces.targets[f].area();
   }
   std::vector<double> weights;
   for (std::size_t f = 0; f < faces.targets.size(); ++f) {
     const double in_mean = faces.targets[f].area() / std::max(light, 1e-300);
-    const double brightness = std::max({sum(pilot.mean[f]), kDarkest * light / area, 1e-300});
+    const double brightness = std::max({channel_sum(pilot.mean[f]), kDarkest * light / area, 1e-300});
     weights.push_back(in_mean + kDarkFaces / (brightness * static_cast<double>(faces.targets.size())));
   }
   return weights;
@@ -212,7 +209,7 @@ std::vector<std::uint32_t> share_paths(const Faces& faces, const Traced& pilot,
   std::vector<double> wanted;
   double total = 0.0;
   for (std::size_t f = 0; f < weights.size(); ++f) {
-    wanted.push_back(std::pow(weights[f] * sum(pilot.standard_error[f]), 2.0 / 3.0));
+    wanted.push_back(std::pow(weights[f] * channel_sum(pilot.standard_error[f]), 2.0 / 3.0));
     total += wanted.back();
   }
   const double a_batch = static_cast<double>(options.paths) / options.batches;

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <stdexcept>
 
+#include "host_sim/io/model.h"
 #include "host_sim/reference/contour.h"
 #include "host_sim/reference/counter_random.h"
 #include "host_sim/reference/polygon_sampling.h"
@@ -26,10 +27,6 @@ constexpr double kNear = 1.5;
 /// Overshooting ends when this many times the wanted unshot fraction is left.
 constexpr double kOvershootUntil = 8.0;
 constexpr float kUnknown = -1.0F;
-
-double sum(const glm::dvec3& v) {
-  return v.x + v.y + v.z;
-}
 
 /// Exchange areas A_i F_ij by rays between fixed stratified points of each element.
 class RayCaster {
@@ -175,7 +172,7 @@ class Shooting {
   std::size_t brightest() const {
     std::size_t best = 0;
     for (std::size_t i = 1; i < unshot_.size(); ++i) {
-      best = sum(glm::abs(unshot_[i])) > sum(glm::abs(unshot_[best])) ? i : best;
+      best = channel_sum(glm::abs(unshot_[i])) > channel_sum(glm::abs(unshot_[best])) ? i : best;
     }
     return best;
   }

@@ -8,23 +8,13 @@
 #include <limits>
 #include <stdexcept>
 
+#include "host_sim/io/model.h"
 #include "host_sim/report/rasterizer.h"
 
 namespace fixrad::host {
 namespace {
 
-constexpr double kNearShare = 1e-5;  // the near plane, as a part of the diagonal of the mesh's box
 constexpr std::array<double, 3> kNothingSeen = {40, 40, 44};
-
-double near_distance(const BakedMesh& mesh) {
-  glm::dvec3 low(std::numeric_limits<double>::max());
-  glm::dvec3 high(std::numeric_limits<double>::lowest());
-  for (const glm::dvec3& p : mesh.positions) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  return std::max(kNearShare * glm::length(high - low), std::numeric_limits<double>::min());
-}
 
 SampleBand draw_all(const BakedMesh& mesh, bool z_up, const PictureOptions& picture) {
   if (!picture.camera) {
@@ -38,10 +28,6 @@ SampleBand draw_all(const BakedMesh& mesh, bool z_up, const PictureOptions& pict
     draw(triangle, band);
   }
   return band;
-}
-
-double sum(const glm::dvec3& radiosity) {
-  return radiosity.x + radiosity.y + radiosity.z;
 }
 
 // `error(i)` at each sample that both bands see.
@@ -77,8 +63,8 @@ ErrorMap point_errors(const BakedMesh& baked, const BakedMesh& reference, double
                       const PictureOptions& picture) {
   const SampleBand a = draw_all(baked, z_up, picture), b = draw_all(reference, z_up, picture);
   return map_of(picture, a, b, [&](std::size_t i) {
-    const double right = sum(b.radiosity[i]);
-    return (sum(a.radiosity[i]) - right) / std::max(right, floor);
+    const double right = channel_sum(b.radiosity[i]);
+    return (channel_sum(a.radiosity[i]) - right) / std::max(right, floor);
   });
 }
 

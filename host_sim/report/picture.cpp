@@ -20,20 +20,6 @@ constexpr int kSamplesPerSide = kPictureSamples;
 constexpr int kLargestSide = 16384;
 /// Picture rows that are drawn at a time, which bounds the memory for samples.
 constexpr int kBandRows = 16;
-/// The near plane, as a part of the diagonal of the mesh's box.
-constexpr double kNearShare = 1e-5;
-
-double near_distance(const BakedMesh& mesh) {
-  glm::dvec3 low(std::numeric_limits<double>::max());
-  glm::dvec3 high(std::numeric_limits<double>::lowest());
-  for (const glm::dvec3& p : mesh.positions) {
-    for (int k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], p[k]);
-      high[k] = std::max(high[k], p[k]);
-    }
-  }
-  return std::max(kNearShare * glm::length(high - low), std::numeric_limits<double>::min());
-}
 
 /// Mean of the tone-mapped samples of the pixel (x, y), y counted within the band.
 glm::dvec3 average(const SampleBand& band, const Overlay* overlay, int x, int y, double scale) {

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <utility>
 
 namespace fixrad::host {
@@ -75,6 +77,17 @@ std::pair<int, int> sample_range(double low, double high, int count) {
 }
 
 }  // namespace
+
+double near_distance(const BakedMesh& mesh) {
+  constexpr double kNearShare = 1e-5;
+  glm::dvec3 low(std::numeric_limits<double>::max());
+  glm::dvec3 high(std::numeric_limits<double>::lowest());
+  for (const glm::dvec3& p : mesh.positions) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  return std::max(kNearShare * glm::length(high - low), std::numeric_limits<double>::min());
+}
 
 std::vector<ScreenTriangle> visible_triangles(const BakedMesh& mesh, const Projection& projection,
                                               double near_distance, std::vector<std::uint32_t>* sources) {

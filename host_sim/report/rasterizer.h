@@ -20,6 +20,9 @@ struct ScreenVertex {
 };
 using ScreenTriangle = std::array<ScreenVertex, 3>;
 
+/// Where to put the near plane: a hundred thousandth of the diagonal of the mesh's box, > 0.
+double near_distance(const BakedMesh& mesh);
+
 /// The triangles of the mesh that face the camera, cut off where they come nearer than `near_distance` (> 0).
 /// `sources`, where it is given, receives for each the index of the mesh's triangle.
 std::vector<ScreenTriangle> visible_triangles(const BakedMesh& mesh, const Projection& projection,

@@ -18,7 +18,7 @@ void widen(Extent& extent, double value) {
 }
 
 double mean(const glm::dvec3& a) {
-  return (a.x + a.y + a.z) / 3;
+  return channel_sum(a) / 3;
 }
 
 void count_edges(const DeviceScene& device, SceneNeeds& needs) {
