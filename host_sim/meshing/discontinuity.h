@@ -10,7 +10,7 @@ namespace fixrad::host {
 
 /// How elements are shared out.
 struct DiscontinuityOptions {
-  double coarse = 0.3;    ///< of the elements, for the uniform mesh that is cut
+  double coarse = 0.6;    ///< of the elements, for the uniform mesh that is cut
   LightWeights weights;   ///< of errors other than that of the shading
   bool use_lines = true;  ///< false: halvings only, an adaptive mesh for the direct light
 };

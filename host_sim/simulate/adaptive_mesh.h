@@ -11,12 +11,10 @@ namespace fixrad::host {
 ///
 /// The error of an element is the range of irradiance within it, times reflectance and area: irradiance is
 /// gathered by the core (gather_irradiance) at its centroid, between that and its corners, and on both sides
-/// of contact lines. Differences between neighbours would not see a face of one element. To this comes what a
-/// large element does as a sender, which its centroid stands for: the flux that it sends times its size,
-/// squared, over the scene's area. An element is cut along a contact line if one crosses it, else across the
-/// axis of the grid along which the light changes more. Sources: Cohen, Greenberg, Immel, Brock, "An
-/// efficient radiosity approach for realistic image synthesis", 1986; Vedel & Puech, "A testbed for adaptive
-/// subdivision in progressive radiosity", 1991.
+/// of contact lines. Differences between neighbours would not see a face of one element. An element is cut
+/// along a contact line if one crosses it, else across the axis of the grid along which the light changes
+/// more. Sources: Cohen, Greenberg, Immel, Brock, "An efficient radiosity approach for realistic image
+/// synthesis", 1986; Vedel & Puech, "A testbed for adaptive subdivision in progressive radiosity", 1991.
 ///
 /// Elements are grouped into patches as make_uniform() does. Where the core refuses the scene the mesh stays
 /// uniform. Cost: two rough solutions, and about six views an element.

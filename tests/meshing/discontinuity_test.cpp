@@ -59,8 +59,10 @@ double distance_to_sides(const FaceFrame& frame, const FaceElements& face, const
   return nearest;
 }
 
-TEST(Discontinuity, ElementsEndAtTheBordersOfUmbraAndPenumbra) {
-  const Cut cut(square_under_a_square_lamp(), 150);
+TEST(Discontinuity, ElementsOfACoarseMeshEndAtTheBordersOfUmbraAndPenumbra) {
+  DiscontinuityOptions options;
+  options.coarse = 0.3;
+  const Cut cut(square_under_a_square_lamp(), 150, options);
   const std::vector<CriticalLine> lines = find_critical_lines(cut.prepared);
   ASSERT_EQ(lines.size(), 8u);
   for (const CriticalLine& line : lines) {
