@@ -4,10 +4,6 @@
 // others are helped along: as they are, with a right checksum, also with the right identity, also with sums
 // that add up.
 //
-//   clang++ -std=c++17 -g -O1 -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -I. \
-//     tests/fuzz/saved_state_fuzz.cpp lib/*/*.cpp -o saved_state_fuzz
-//   ./saved_state_fuzz -max_len=2400 corpus tests/fuzz/corpus/saved_state_fuzz
-//
 // A seed is that byte and a state of `fixrad bake scenes/closed_box.obj --profile tiny --shots N --save FILE`
 // (with --no-overshoot for plain shooting), or of scenes/cornell.obj as scripts/export_scenes.sh exports it.
 #include <cstdint>
