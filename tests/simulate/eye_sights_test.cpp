@@ -13,7 +13,6 @@
 namespace fixrad::host {
 namespace {
 
-constexpr std::uint32_t kFloor = 2;
 constexpr double kHalfBox = 0.5, kMiddle = 2.0;
 
 DeviceScene with_sights(const Model& model, std::uint32_t elements) {
