@@ -33,6 +33,7 @@ struct PreparedScene {
 /// Reads nothing but the model; throws InputError if nothing with an area is left or the core's counts are
 /// exceeded.
 PreparedScene prepare(const Model& model);
+PreparedScene prepare(const Model&& model) = delete;  // it would end before the scene that points at it
 
 /// The cut faces of a scene and how their elements are grouped for shooting.
 struct Meshing {

@@ -60,7 +60,7 @@ void TriangleShading::set(Weight& weight, const ScreenCorner& from, const Screen
   weight.value = weight.at_reference;
 }
 
-void TriangleShading::start(int32_t x, int32_t y) {
+FIXRAD_MODULO void TriangleShading::start(int32_t x, int32_t y) {
   const uint32_t columns = static_cast<uint32_t>(x - reference_x_);
   const uint32_t rows = static_cast<uint32_t>(y - reference_y_);
   for (Weight& weight : weight_) {
@@ -68,7 +68,7 @@ void TriangleShading::start(int32_t x, int32_t y) {
   }
 }
 
-void TriangleShading::step() {
+FIXRAD_MODULO void TriangleShading::step() {
   for (Weight& weight : weight_) {
     weight.value += weight.by_column;
   }

@@ -41,8 +41,9 @@ constexpr FIXRAD_IN_FLASH Element kElements[] = {
     {kCellArea, {8192, 8192, 32766}, 5, 5, 5},  {kCellArea, {8192, 24576, 32766}, 5, 5, 5},
     {kCellArea, {24576, 8192, 32766}, 5, 5, 5}, {kCellArea, {24576, 24576, 32766}, 5, 5, 5}};
 
-constexpr FIXRAD_IN_FLASH Patch kPatches[] = {{0, 0, 4},  {1, 4, 4},  {2, 8, 4},
-                                              {3, 12, 4}, {4, 16, 4}, {5, 20, 4}};
+// The last has no elements and is not counted, but by a test of what load() refuses.
+constexpr FIXRAD_IN_FLASH Patch kPatches[] = {{0, 0, 4},  {1, 4, 4},  {2, 8, 4}, {3, 12, 4},
+                                              {4, 16, 4}, {5, 20, 4}, {5, 24, 0}};
 
 constexpr FIXRAD_IN_FLASH uint16_t kPatchElements[] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11,
                                                        12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23};

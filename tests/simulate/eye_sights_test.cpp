@@ -81,7 +81,8 @@ TEST(EyeSights, AreAllClearInAnEmptyRoom) {
 }
 
 TEST(EyeSights, AreLeftOutWhereTheSceneDoesNotFitThePools) {
-  const PreparedScene prepared = prepare(cornell());
+  const Model model = cornell();
+  const PreparedScene prepared = prepare(model);
   DeviceScene device = make_device_scene(prepared, make_uniform(prepared, 150, 30));
   Sizes sizes = sizes_for(device, 0, Settings{});
   sizes.faces -= 1;

@@ -77,7 +77,8 @@ TEST(SealedBodies, ARoomWithoutCeilingIsOpen) {
 }
 
 TEST(SealedBodies, NothingIsSealedWithoutSights) {
-  const PreparedScene prepared = prepare(cornell());
+  const Model model = cornell();
+  const PreparedScene prepared = prepare(model);
   DeviceScene device = make_device_scene(prepared, make_uniform(prepared, 150, 30));
   seal_bodies(device, sizes_for(device, 0, Settings{}));
   EXPECT_TRUE(std::none_of(device.faces.begin(), device.faces.end(),
