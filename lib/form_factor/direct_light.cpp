@@ -93,7 +93,7 @@ class LampsInRow {
   }
 
   // Of 2^log2.
-  uint32_t free_rays(uint16_t element, const Polygon& target, int log2) {
+  FIXRAD_MODULO uint32_t free_rays(uint16_t element, const Polygon& target, int log2) {
     const uint32_t rays = static_cast<uint32_t>(1) << log2;
     if (blockers_.is_free()) {
       return rays;

@@ -228,6 +228,11 @@ uint32_t group_eyes(const State& state, const EyeSource& source) {
   return wanted < most ? wanted : most;
 }
 
+// Golden-ratio steps from shot to shot, 1/65536 of a turn.
+FIXRAD_MODULO uint32_t phase_of(uint32_t shots) {
+  return (shots * 40503u) & 0xffffu;
+}
+
 // Eyes at centroids of a group's elements, drawn in proportion to what each has reflected: at equal steps
 // along the running sum of weights, from a beginning that changes from shot to shot.
 Status draw_eye(State& state, const EyeSource& source) {
@@ -237,9 +242,9 @@ Status draw_eye(State& state, const EyeSource& source) {
     sampling.stage = SamplingStage::complete;
     return Status::ok;
   }
-  const uint32_t phase = (state.shots * 40503u) & 0xffffu;  // golden-ratio steps
   const uint32_t step = sampling.total / eyes;
-  const uint32_t target = static_cast<uint32_t>(wide_product(step, phase) >> 16) + sampling.eyes * step;
+  const uint32_t target =
+      static_cast<uint32_t>(wide_product(step, phase_of(state.shots)) >> 16) + sampling.eyes * step;
   for (;;) {
     uint32_t weight = 0;
     const Status status = usable_weight(state, source, weight);
