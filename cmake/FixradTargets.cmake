@@ -14,11 +14,11 @@ function(fixrad_compile_options target)
   endif()
 endfunction()
 
-# fixrad_light(target...): what only calls the work, tests and the command line, is not worth a third of all build time; under
-# sanitizers half of that.
-function(fixrad_light)
+# fixrad_light(LEVEL target...): what only calls the work, tests and the command line, is not worth a third of all build
+# time. LEVEL is O0 or O1; under sanitizers it is O0.
+function(fixrad_light level)
   foreach(target ${ARGN})
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> $<$<CONFIG:RelWithDebInfo>:-O0>)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-${level}> $<$<CONFIG:RelWithDebInfo>:-O0>)
   endforeach()
 endfunction()
 
@@ -42,7 +42,7 @@ function(fixrad_test name)
     target_link_libraries(${name} PRIVATE fixrad::fixrad)
   endif()
   fixrad_compile_options(${name})
-  fixrad_light(${name})
+  fixrad_light(O0 ${name})
   target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gmock GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE FIXRAD_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   fixrad_test_headers(${name})
